@@ -14,7 +14,6 @@ if(NOT SWARF_FETCH_KOKKOS)
     file(GLOB private_kokkos "${SWARF_PREFIX}/usr/lib/*/cmake/Kokkos")
     if(private_kokkos)
       find_package(Kokkos 5 QUIET CONFIG REQUIRED PATHS ${private_kokkos} NO_DEFAULT_PATH)
-      set(SWARF_KOKKOS_IS_PRIVATE TRUE)
     endif()
   endif()
 endif()
@@ -43,7 +42,8 @@ target_link_libraries(swarf_kokkos INTERFACE Kokkos::kokkos)
 # The runtime beside a private Kokkos is newer than the system's: programs are bound to it by rpath and loader,
 # and the linker, which sees the older one, must not insist on every symbol.
 set(runtime "${SWARF_PREFIX}/runtime")
-if(SWARF_KOKKOS_IS_PRIVATE AND EXISTS "${runtime}/loader")
+cmake_path(IS_PREFIX SWARF_PREFIX "${Kokkos_DIR}" NORMALIZE kokkos_is_private)
+if(kokkos_is_private AND EXISTS "${runtime}/loader")
   target_link_options(swarf_kokkos INTERFACE
     LINKER:--disable-new-dtags,-rpath,${runtime}
     LINKER:--allow-shlib-undefined
