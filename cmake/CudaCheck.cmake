@@ -11,7 +11,7 @@ elseif(Kokkos_ENABLE_CUDA)
   set(reason "this Kokkos has CUDA: the build itself compiles for the GPU")
 endif()
 if(reason)
-  add_check(cuda_compile_check cuda bash -c "echo 'skipped: ${reason}'; exit 77")
+  add_check(cuda_compile_check cuda bash -c "echo 'skipped: ${reason}' && exit 77")
   return()
 endif()
 

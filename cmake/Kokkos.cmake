@@ -23,18 +23,18 @@ if(Kokkos_FOUND)
 else()
   set(SWARF_KOKKOS_VERSION 5.1.1)
   set(SWARF_KOKKOS_SHA256 8bdbee0f0ac383436743ad8a9e3e928705b34b31a25a92dc5179c52a3aa98519)
-  message(STATUS "Kokkos ${SWARF_KOKKOS_VERSION}: upstream release, built here")
+  message(STATUS "Kokkos ${SWARF_KOKKOS_VERSION}: upstream release, built here "
+                 "(without network: -DFETCHCONTENT_SOURCE_DIR_KOKKOS=<an unpacked release>)")
   include(FetchContent)
   # A GPU backend is chosen by the user (preset cuda); the host side is always OpenMP.
   set(Kokkos_ENABLE_OPENMP ON CACHE BOOL "")
   if(NOT SWARF_PORTABLE)
     set(Kokkos_ARCH_NATIVE ON CACHE BOOL "")
   endif()
-  FetchContent_Declare(Kokkos
+  FetchContent_Declare(Kokkos SYSTEM # at this place only: CMake 3.25 hands it on to the keyword before it
     URL https://github.com/kokkos/kokkos/releases/download/${SWARF_KOKKOS_VERSION}/kokkos-${SWARF_KOKKOS_VERSION}.tar.gz
     URL_HASH SHA256=${SWARF_KOKKOS_SHA256}
-    DOWNLOAD_EXTRACT_TIMESTAMP OFF
-    SYSTEM)
+    DOWNLOAD_EXTRACT_TIMESTAMP OFF)
   FetchContent_MakeAvailable(Kokkos)
 endif()
 target_link_libraries(swarf_kokkos INTERFACE Kokkos::kokkos)
