@@ -21,10 +21,10 @@ SWARF_FN Real contact_stiffness(const ContactLaw& law, Real scaled_mass, Real dt
 
 // What happened to the pair of point and tool surface in one step.
 struct ContactStep {
-  Real penetration;          // m, gap - distance; <= 0: apart
-  Vector3 normal;            // unit, from the tool to the point; not used when apart
-  Vector3 slip;              // m, motion of the point relative to the tool surface in this step
-  Vector3 friction_force;    // N on the point, at the end of the step before
+  Real penetration;       // m, gap - distance; <= 0: apart
+  Vector3 normal;         // unit, from the tool to the point; not used when apart
+  Vector3 slip;           // m, motion of the point relative to the tool surface in this step
+  Vector3 friction_force; // N on the point, at the end of the step before
 };
 
 struct ContactResponse {
@@ -64,8 +64,7 @@ SWARF_FN ContactResponse respond_to_contact(const ContactStep& step, const Conta
   ContactResponse response;
   response.friction_force = held;
   if (touching) response.force = normal_force * step.normal + held;
-  response.energy =
-      (normal_force * normal_force + dot(held, held)) / (Real(2) * stiffness);
+  response.energy = (normal_force * normal_force + dot(held, held)) / (Real(2) * stiffness);
   response.dissipated = dot(old + held, trial - held) / (Real(2) * stiffness);
   return response;
 }

@@ -1,4 +1,5 @@
-// Signed distance of a point from the tool's surface: negative inside. Pure functions; all in the tool's frame.
+// Signed distance of a point from the tool's surface: negative inside. Pure functions; all in the tool's
+// frame.
 #pragma once
 #include "swarf/tool.hpp"
 
@@ -61,7 +62,8 @@ SWARF_FN int find_cell(const Tool& tool, const Vector3& x) {
   return int(r.x) + tool.cells[0] * (int(r.y) + tool.cells[1] * int(r.z));
 }
 
-// Sign by the angle-weighted pseudonormal of the nearest feature: Baerentzen & Aanaes, IEEE TVCG 11 (2005) 243.
+// Sign by the angle-weighted pseudonormal of the nearest feature: Baerentzen & Aanaes, IEEE TVCG 11 (2005)
+// 243.
 SWARF_FN ToolDistance signed_distance(const Tool& tool, const Vector3& x) {
   ToolDistance result;
   const int cell = find_cell(tool, x);
@@ -79,7 +81,8 @@ SWARF_FN ToolDistance signed_distance(const Tool& tool, const Vector3& x) {
     const NearestOnTriangle nearest = nearest_on_triangle(load_facet(tool, f), x);
     const Vector3 d = x - nearest.point;
     const Real squared = dot(d, d);
-    if (squared < best) best = squared, feature = nearest.feature, result.point = nearest.point, result.facet = f;
+    if (squared < best)
+      best = squared, feature = nearest.feature, result.point = nearest.point, result.facet = f;
   }
   const Vector3 pseudonormal{tool.pseudonormal(result.facet, feature, 0),
                              tool.pseudonormal(result.facet, feature, 1),

@@ -33,8 +33,8 @@ SWARF_FN Vector3 direction_to_world(const ToolFrame& frame, const Vector3& n) {
 // Velocity of the tool's material at x, as one vector: V + omega e_z x (x - X).
 SWARF_FN Vector3 surface_velocity(const ToolPose& pose, const Vector3& x) {
   const Real omega = pose.angular_velocity;
-  return {pose.velocity.x - omega * (x.y - pose.position.y), pose.velocity.y + omega * (x.x - pose.position.x),
-          pose.velocity.z};
+  return {pose.velocity.x - omega * (x.y - pose.position.y),
+          pose.velocity.y + omega * (x.x - pose.position.x), pose.velocity.z};
 }
 
 // Facets in the tool's frame, outward normals; a uniform grid lists for each cell the facets that can be

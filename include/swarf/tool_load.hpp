@@ -4,8 +4,8 @@
 
 namespace swarf {
 
-// On the tool: forces N; moment about the pose's position, N m (z: about the axis). Sums over steps: divide by
-// their number for means. Only `work` is an integral in time.
+// On the tool: forces N; moment about the pose's position, N m (z: about the axis). Sums over steps: divide
+// by their number for means. Only `work` is an integral in time.
 struct ToolLoad {
   Vector3 force{0, 0, 0}, moment{0, 0, 0};
   Vector3 tooth_force[max_tool_teeth]{};
