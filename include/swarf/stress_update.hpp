@@ -79,7 +79,15 @@ struct ReturnMapping {
 };
 
 inline constexpr Real return_tolerance = sizeof(Real) == 8 ? Real(1e-10) : Real(1e-5); // of the flow stress
-inline constexpr int return_max_iterations = 80;
+inline constexpr int return_max_iterations = 100;
+
+// An increment at or above the solution: neither perfect plasticity nor, at first yield, where the slope of
+// eps^n is infinite, the power law alone takes less overstress.
+SWARF_FN Real first_increment(const Material& mat, Real overstress, Real plastic_strain, Real softening) {
+  const Real d = overstress / (Real(3) * mat.shear_modulus);
+  if (mat.law != FlowLaw::johnson_cook || plastic_strain > Real(0) || !(mat.B > Real(0))) return d;
+  return Kokkos::min(d, Kokkos::pow(overstress / (softening * mat.B), Real(1) / mat.n));
+}
 
 // Solves  q_trial - 3 G d - sigma_y(eps + d, d / dt) = 0  for d (Simo & Hughes 1998, box 3.1) by Newton's
 // method inside the bracket [0, q_trial / 3G]. Where n < 1 the residual is steep near d = 0 and convex, and
@@ -92,7 +100,9 @@ SWARF_FN ReturnMapping return_radially(const Material& mat, Real trial_von_mises
   const Real start_stress = flow_stress(mat, start.equivalent_plastic_strain, 0, dt, softening).value;
   Real low = 0, high = trial_von_mises / three_G;
   if (start_stress <= Real(0)) return {high, 0, 0, 0, true};
-  Real d = (trial_von_mises - start_stress) / three_G, residual = trial_von_mises - start_stress;
+  Real residual = trial_von_mises - start_stress;
+  if (residual <= return_tolerance * start_stress) return {0, start_stress, residual, 0, true};
+  Real d = first_increment(mat, residual, start.equivalent_plastic_strain, softening);
   FlowStress flow{start_stress, 0};
   for (int k = 1; k <= max_iterations; ++k) {
     flow = flow_stress(mat, start.equivalent_plastic_strain + d, d, dt, softening);

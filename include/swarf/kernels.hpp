@@ -1,0 +1,115 @@
+// Every launch of swarf, one line each: the table of contents of kernels/. The file, the function, the label
+// of the launch, the test and the benchmark share one name.
+#pragma once
+#include "swarf/contact_points.hpp"
+#include "swarf/hex_mesh.hpp"
+#include "swarf/neighbors.hpp"
+#include "swarf/particles.hpp"
+#include "swarf/status.hpp"
+#include "swarf/tie.hpp"
+#include "swarf/tool_load.hpp"
+#include <vector>
+
+namespace swarf {
+
+// Choices of the particle sums that hold for a whole run.
+struct ParticleMethod {
+  bool correction = true;            // Randles-Libersky gradient correction
+  bool reconstruct_viscosity = true; // viscosity sees only what a linear velocity field does not explain
+  Real viscosity_linear = 0, viscosity_quadratic = 0;
+  Real artificial_stress = 0; // epsilon of Gray, Monaghan & Swift (2001)
+  int artificial_stress_exponent = 4;
+  Real spacing_ratio = 0; // spacing / h of the initial lattice, where the artificial stress is full
+  Real hourglass = 0;
+  Real mass_factor = 1;
+};
+
+struct HexMethod {
+  HourglassControl hourglass = HourglassControl::stiffness;
+  Real hourglass_coefficient = 0;
+  Real viscosity_linear = 0, viscosity_quadratic = 0;
+  Real delete_at_strain = 0; // 0: never
+  bool delete_failed = false;
+  Real mass_factor = 1;
+};
+
+// --- neighbours and images
+using ImagePlanes = std::vector<ImagePlane>; // on the host: a launch for each plane
+void wrap_periodic(const Particles&, const ImagePlanes&, const Status&); // back through the partner plane
+void sort_particles(Particles&, Real cell_size);              // rows [0, count) along a Z-order curve
+void make_images(Particles&, Neighbors&, const ImagePlanes&); // rows [count + tied, total)
+void find_neighbors(Neighbors&, const Particles&);            // clusters and their lists
+void update_images(const Particles&, const Neighbors&, const ImagePlanes&);      // position, velocity
+void update_image_state(const Particles&, const Neighbors&, const ImagePlanes&); // what the force sum needs
+
+// --- particles
+void velocity_gradient(const Particles&, const Neighbors&, const ParticleMethod&); // L_i and K_i
+void sum_density(const Particles&, const Neighbors&, const MaterialTable&);        // density by summation
+void evolve_smoothing_length(const Particles&, Real dt);
+void prepare_pair_state(const Particles&, const MaterialTable&, const ParticleMethod&);
+void particle_forces(const Particles&, const Neighbors&, const ParticleMethod&, Real dt);
+
+// --- hexes
+void hex_velocity_gradient(const HexMesh&, const Status&); // B, volume, L at the centre
+void hex_forces(const HexMesh&, const MaterialTable&, const HexMethod&, Real dt); // corner forces
+void gather_corner_forces(const HexMesh&); // node force = sum of its corners
+void delete_hexes(const HexMesh&, const HexMethod&);
+void couple_nodes(const HexMesh&, const TransformTable&,
+                  bool forces); // periodic pairs: forces in, or velocities out
+
+// --- both
+void update_stress(const MaterialPoints&, const MaterialTable&, Real dt, const Status&);
+void tool_contact(const ContactPoints&, const Tool&, const ToolPose&, const ContactLaw&, const MaterialTable&,
+                  Real mass_factor, Real dt);
+
+// --- tie
+void project_tie(const Tie&, const Particles&, const HexMesh&); // x, v of tied particles from nodes
+void project_tie_state(const Tie&, const Particles&, const HexMesh&, const MaterialTable&,
+                       Real mass_factor);                             // stress, L
+void gather_tie_forces(const Tie&, const Particles&, const HexMesh&); // to the nodes of the face
+
+// --- time
+struct Motion { // a set of points that Newton's law moves: particles or nodes
+  int count = 0;
+  VectorField position, velocity, force;
+  ScalarField mass, external_work;
+  View<unsigned*> constraints;
+};
+void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
+void drift(const Motion&, Real dt);
+void drift_xsph(const Particles&, const Neighbors&, Real epsilon, Real dt);
+
+// --- reductions (reductions.cpp): fixed blocks, so that the sum does not depend on the number of threads
+// Adds the load of this step to sums.total and the tool's work to it; no copy to the host.
+void sum_tool_load(const ContactPoints&, const Tool&, const ToolPose&, Real dt, const ToolLoadSums&);
+int count_points_inside(const ContactPoints&, const Tool&, const ToolPose&,
+                        Real depth); // deeper than depth, m
+
+struct PointSums {
+  Real kinetic = 0, internal = 0, plastic = 0, external = 0, friction = 0, viscous = 0, hourglass = 0,
+       contact = 0;
+  Vector3 momentum{0, 0, 0};
+  Real max_temperature = 0, max_plastic_strain = 0, max_speed = 0;
+  int hottest = -1;
+
+  KOKKOS_INLINE_FUNCTION void add(const PointSums& o) {
+    kinetic += o.kinetic, internal += o.internal, plastic += o.plastic, external += o.external;
+    friction += o.friction, viscous += o.viscous, hourglass += o.hourglass, contact += o.contact;
+    momentum = momentum + o.momentum;
+    if (o.max_temperature > max_temperature) max_temperature = o.max_temperature, hottest = o.hottest;
+    max_plastic_strain = Kokkos::max(max_plastic_strain, o.max_plastic_strain);
+    max_speed = Kokkos::max(max_speed, o.max_speed);
+  }
+};
+PointSums sum_particles(const Particles&, Real mass_factor);
+PointSums sum_hexes(const HexMesh&, Real mass_factor);
+
+struct StableStep {
+  Real dt = 0; // s, at Courant number 1
+  int limiter = -1;
+  Real max_displacement = 0; // since the lists were built, m
+};
+StableStep stable_step(const Particles&, const Neighbors&, const MaterialTable&, Real mass_factor);
+StableStep stable_step(const HexMesh&, const MaterialTable&, Real mass_factor);
+
+} // namespace swarf

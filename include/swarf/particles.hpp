@@ -1,0 +1,60 @@
+// The particles of the SPH zone.
+#pragma once
+#include "swarf/material.hpp"
+
+namespace swarf {
+
+// Rows of every field:  [0, count)              particles
+//                       [count, count + tied)   tied particles: they live inside hexes and move with them
+//                       [count + tied, total)   images of the rows before, across periodic and mirror planes
+// Only rows [0, count) carry mass and are integrated in time. Sorted in space at every neighbour rebuild.
+struct Particles {
+  MaterialPoints points; // points.count == count
+  int count = 0;
+  int tied = 0;
+  int total = 0;
+
+  VectorField position;         // m
+  VectorField velocity;         // m/s
+  VectorField force;            // N, rows [0, count + tied)
+  ScalarField smoothing_length; // m
+  ScalarField volume;           // m3
+  TensorField correction;       // K_i of the corrected kernel gradient, rows [0, count + tied)
+
+  // What a neighbour needs in the force sum (prepare_pair_state).
+  TensorField pair_stress;          // sigma K, Pa
+  SymmetricField strain_rate;       // D, 1/s
+  SymmetricField artificial_stress; // Gray-Monaghan, Pa
+  View<Real* [2]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), for the viscosity
+
+  // History that belongs to the particle.
+  VectorField hourglass_force;     // N, accumulated non-affine penalty (optional, else 0 rows)
+  ScalarField reference_summation; // initial sum of m W (density = "summation", else 0 rows)
+  VectorField friction_force;      // N, stick-slip memory
+  VectorField contact_force;       // N, of the tool on the particle, this step
+  ScalarField friction_work;       // J
+  ScalarField viscous_work;        // J
+  ScalarField external_work;       // J, gravity and prescribed velocities
+  ScalarField contact_energy;      // J, stored in the penalty spring
+  ScalarField contact_gap;         // m, half the initial spacing: where the particle's own surface lies
+  ScalarField contact_area;        // m2, the face of the particle's initial cube
+  IndexField identity;             // number given when the scene was built
+  IndexField body;                 // row of the scene's bodies
+  View<unsigned*> constraints;     // bit b: row b of the ConstraintTable
+
+  // Visits what sorting permutes and a checkpoint stores; derived rows are recomputed.
+  template <class Visitor>
+  void for_each_field(Visitor&& visit) {
+    points.for_each_field(visit);
+    visit("position", position), visit("velocity", velocity), visit("force", force);
+    visit("smoothing_length", smoothing_length), visit("volume", volume);
+    visit("hourglass_force", hourglass_force), visit("reference_summation", reference_summation);
+    visit("friction_force", friction_force), visit("contact_force", contact_force);
+    visit("friction_work", friction_work), visit("viscous_work", viscous_work);
+    visit("external_work", external_work), visit("contact_energy", contact_energy);
+    visit("contact_gap", contact_gap), visit("contact_area", contact_area);
+    visit("identity", identity), visit("body", body), visit("constraints", constraints);
+  }
+};
+
+} // namespace swarf

@@ -1,0 +1,72 @@
+// Images of the rows that lie within the cutoff of a periodic or mirror plane, so that pair sums need no
+// special cases: rows [count + tied, total) of the fields that a neighbour is read from. Made at every
+// rebuild of the lists; update_images and update_image_state refresh their values in each step.
+#include "swarf/kernels.hpp"
+
+namespace swarf {
+namespace {
+
+// Fills image_source with the rows in [0, rows) near the plane, in ascending order; returns how many.
+int append_sources(const VectorField& position, int rows, const ImagePlane& plane, Real cutoff,
+                   IndexField& source, int first) {
+  const IndexField place("make_images_place", rows + 1);
+  int found = 0;
+  Kokkos::parallel_scan(
+      "make_images", Range(0, rows),
+      KOKKOS_LAMBDA(int i, int& sum, bool last) {
+        const Real distance = dot(plane.normal, load_vector(position, i)) - plane.offset;
+        const int near = distance < cutoff ? 1 : 0;
+        if (last) place(i) = near ? sum : -1;
+        sum += near;
+      },
+      found);
+  ensure_rows(source, first + found);
+  const IndexField to = source;
+  Kokkos::parallel_for(
+      "make_images", Range(0, rows), KOKKOS_LAMBDA(int i) {
+        if (place(i) >= 0) to(first + place(i)) = i;
+      });
+  return found;
+}
+
+void ensure_image_rows(Particles& p, int rows) {
+  if (int(p.position.extent(0)) >= rows) return;
+  const int room = rows + rows / 8;
+  ensure_rows(p.position, room), ensure_rows(p.velocity, room);
+  ensure_rows(p.smoothing_length, room), ensure_rows(p.volume, room);
+  ensure_rows(p.pair_stress, room), ensure_rows(p.strain_rate, room);
+  ensure_rows(p.artificial_stress, room), ensure_rows(p.impedance, room);
+}
+
+// Static values of images, and their positions, which planes of later pairs must see.
+void fill_images(const Particles& p, const Neighbors& n, const ImagePlane& plane, int begin, int end) {
+  const int first = n.image_first;
+  const auto source = n.image_source;
+  Kokkos::parallel_for(
+      "fill_images", Range(begin, end), KOKKOS_LAMBDA(int k) {
+        const int i = source(k), image = first + k;
+        store_vector(p.position, image, apply(plane.to_image, load_vector(p.position, i)));
+        p.smoothing_length(image) = p.smoothing_length(i);
+      });
+}
+
+} // namespace
+
+void make_images(Particles& p, Neighbors& n, const ImagePlanes& planes) {
+  n.image_first = p.count + p.tied;
+  n.images = 0;
+  n.planes = int(planes.size());
+  int rows = n.image_first;
+  for (int plane = 0; plane < n.planes; ++plane) {
+    if (plane % 2 == 0) rows = n.image_first + n.images; // a pair sees the images of earlier pairs only
+    n.image_start[plane] = n.images;
+    if (planes[plane].active)
+      n.images += append_sources(p.position, rows, planes[plane], n.cutoff, n.image_source, n.images);
+    n.image_start[plane + 1] = n.images;
+    ensure_image_rows(p, n.image_first + n.images);
+    fill_images(p, n, planes[plane], n.image_start[plane], n.image_start[plane + 1]);
+  }
+  p.total = n.image_first + n.images;
+}
+
+} // namespace swarf

@@ -1,0 +1,121 @@
+// f_i = V_i sum_j V_j [ (sigma_i K_i + sigma_j K_j) + (R_i + R_j) f_ij^n - q_ij 1 ] grad W_ij
+// The corrected gradient appears as in the velocity gradient, so that the forces do on any velocity field the
+// work that the stresses do (Bonet & Lok 1999): linear and angular momentum and energy are conserved.
+// R: artificial stress of Gray, Monaghan & Swift (2001), f_ij = W_ij / W(spacing).
+// q: Monaghan (1992) viscosity, q = -alpha Z mu + beta rho mu^2 for approaching pairs, rho and Z = rho c of
+// the scaled mass. Reconstructed: mu from v_ij - (D_i + D_j) x_ij / 2, which a linear velocity field makes
+// zero (Frontiere, Raskin & Owen 2017), so that steady shear feels no viscosity. Reads what
+// prepare_pair_state wrote. Writes force, rows [0, count + tied); adds viscous_work.
+#include "swarf/kernels.hpp"
+#include "swarf/pair.hpp"
+
+namespace swarf {
+namespace {
+
+// The cluster's own values and sums.
+struct ForceSums {
+  Vector3Of<Pack> neighbor_stress;   // sum V_j [P_j + f^n R_j - q] grad W
+  Vector3Of<Pack> gradient;          // sum V_j grad W, meets P_i afterwards
+  Vector3Of<Pack> weighted_gradient; // sum V_j f^n grad W, meets R_i afterwards
+  Pack viscous_power;                // sum V_j q grad W . v_ij
+};
+
+struct Cluster {
+  Vector3Of<Pack> x, v;
+  Symmetric3Of<Pack> D;
+  Pack inverse_h, impedance, density;
+};
+
+KOKKOS_FORCEINLINE_FUNCTION Pack quadratic_form(const Symmetric3Of<Pack>& a, const Vector3Of<Pack>& x) {
+  const Pack two(Real(2));
+  return a.xx * x.x * x.x + a.yy * x.y * x.y + a.zz * x.z * x.z +
+         two * (a.xy * x.x * x.y + a.yz * x.y * x.z + a.zx * x.z * x.x);
+}
+
+// q_ij of the pair; zero for pairs that part. xv = x_ij . v_ij.
+KOKKOS_FORCEINLINE_FUNCTION Pack pair_viscosity(const Cluster& i, const Particles& p, int j,
+                                                const Vector3Of<Pack>& x_ij, const Pack& xv,
+                                                const Pack& inverse_h, const ParticleMethod& m) {
+  const Pack zero(Real(0)), half(Real(0.5));
+  Pack approach = Kokkos::min(xv, zero);
+  if (m.reconstruct_viscosity) {
+    const auto D = i.D + broadcast_symmetric(p.strain_rate, j);
+    const Pack beyond_linear = xv - half * quadratic_form(D, x_ij);
+    approach =
+        Kokkos::max(approach, Kokkos::min(beyond_linear, zero)); // the weaker of both: never feeds energy
+  }
+  const Pack r2h2 = dot(x_ij, x_ij) * inverse_h * inverse_h;
+  const Pack mu = approach * inverse_h / (r2h2 + Pack(Real(0.01)));
+  const Pack Z = half * (i.impedance + Pack(p.impedance(j, 0)));
+  const Pack rho = half * (i.density + Pack(p.impedance(j, 1)));
+  return mu * (Pack(m.viscosity_quadratic) * rho * mu - Pack(m.viscosity_linear) * Z);
+}
+
+KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const ParticleMethod& m) {
+  const Pack f = kernel_shape(q) / kernel_shape(Pack(m.spacing_ratio));
+  Pack power = f;
+  for (int e = 1; e < m.artificial_stress_exponent; ++e) power = power * f;
+  return power;
+}
+
+template <bool artificial>
+KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const Particles& p, int j,
+                                          const ParticleMethod& m) {
+  const auto x_ij = i.x - broadcast_vector(p.position, j);
+  const auto v_ij = i.v - broadcast_vector(p.velocity, j);
+  const Pack inverse_h = mean_inverse_h(i.inverse_h, p.smoothing_length(j));
+  const auto grad = (Pack(p.volume(j)) * pair_slope(x_ij, inverse_h)) * x_ij;
+  const Pack xv = dot(x_ij, v_ij);
+  const Pack q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
+  s.gradient = s.gradient + grad;
+  s.neighbor_stress = s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - q * grad;
+  s.viscous_power += q * dot(grad, v_ij);
+  if constexpr (artificial) {
+    const auto weighted = artificial_weight(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h, m) * grad;
+    s.weighted_gradient = s.weighted_gradient + weighted;
+    s.neighbor_stress = s.neighbor_stress + multiply(broadcast_symmetric(p.artificial_stress, j), weighted);
+  }
+}
+
+template <bool artificial>
+KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& n, int cluster,
+                                           const Lanes& lanes, const ParticleMethod& m) {
+  const Pack zero(Real(0));
+  ForceSums s{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}, zero};
+  const Cluster i{lanes.load_vector(p.position),       lanes.load_vector(p.velocity),
+                  lanes.load_symmetric(p.strain_rate), Pack(Real(1)) / lanes.load(p.smoothing_length),
+                  lanes.load(p.impedance, 0),          lanes.load(p.impedance, 1)};
+  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k)
+    add_pair<artificial>(s, i, p, n.neighbor(k), m);
+  return s;
+}
+
+template <bool artificial>
+void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Real dt) {
+  Kokkos::parallel_for(
+      "particle_forces", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
+        const Lanes lanes{n.first(cluster), n.size(cluster)};
+        const ForceSums s = sum_pairs<artificial>(p, n, cluster, lanes, m);
+        for (int lane = 0; lane < lanes.size; ++lane) {
+          const int i = lanes.first + lane;
+          Vector3 f = lane_of(s.neighbor_stress, lane) +
+                      multiply(load_tensor(p.pair_stress, i), lane_of(s.gradient, lane));
+          if constexpr (artificial)
+            f = f + multiply(load_symmetric(p.artificial_stress, i), lane_of(s.weighted_gradient, lane));
+          store_vector(p.force, i, p.volume(i) * f);
+          p.viscous_work(i) += Real(0.5) * dt * p.volume(i) * lane_of(s.viscous_power, lane);
+        }
+      });
+}
+
+} // namespace
+
+// The artificial stress is a template parameter because its sums cost a third of the pass when it is off.
+void particle_forces(const Particles& p, const Neighbors& n, const ParticleMethod& m, Real dt) {
+  if (m.artificial_stress > 0)
+    launch<true>(p, n, m, dt);
+  else
+    launch<false>(p, n, m, dt);
+}
+
+} // namespace swarf

@@ -1,0 +1,27 @@
+// What a particle shows its neighbours in the force sum: P = sigma K, D = sym L, R (artificial_stress.hpp)
+// and the impedance of the mass-scaled material. Reads points and correction. Writes rows [0, count); V = m /
+// rho.
+#include "swarf/artificial_stress.hpp"
+#include "swarf/kernels.hpp"
+
+namespace swarf {
+
+void prepare_pair_state(const Particles& p, const MaterialTable& materials, const ParticleMethod& method) {
+  const MaterialPoints points = p.points;
+  const Real epsilon = method.artificial_stress, mass_factor = method.mass_factor;
+  Kokkos::parallel_for(
+      "prepare_pair_state", Range(0, p.count), KOKKOS_LAMBDA(int i) {
+        const Symmetric3 stress = load_symmetric(points.stress, i);
+        store_tensor(p.pair_stress, i, multiply(to_tensor(stress), load_tensor(p.correction, i)));
+        store_symmetric(p.strain_rate, i, symmetric_part(load_tensor(points.velocity_gradient, i)));
+        const Symmetric3 tension = epsilon > 0 ? tensile_part(stress) : Symmetric3{0, 0, 0, 0, 0, 0};
+        store_symmetric(p.artificial_stress, i, -epsilon * tension);
+        const Real density = points.density(i) * mass_factor;
+        const Real speed = longitudinal_wave_speed(materials(points.material(i))) / Kokkos::sqrt(mass_factor);
+        p.impedance(i, 0) = density * speed;
+        p.impedance(i, 1) = density;
+        p.volume(i) = points.mass(i) / points.density(i);
+      });
+}
+
+} // namespace swarf

@@ -1,0 +1,41 @@
+// Copies what neighbours read from the sources of images: x' = R x + t, v' = R v, tensors R A R^T.
+// update_images: position and velocity, after the drift. update_image_state: what prepare_pair_state wrote.
+#include "swarf/kernels.hpp"
+
+namespace swarf {
+
+void update_images(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
+  const int first = n.image_first;
+  const auto source = n.image_source;
+  for (int k = 0; k < n.planes; ++k) {
+    const Transform map = planes[k].to_image;
+    Kokkos::parallel_for(
+        "update_images", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
+          const int i = source(image), to = first + image;
+          store_vector(p.position, to, apply(map, load_vector(p.position, i)));
+          store_vector(p.velocity, to, multiply(map.R, load_vector(p.velocity, i)));
+          p.volume(to) = p.volume(i);
+          p.smoothing_length(to) = p.smoothing_length(i);
+        });
+  }
+}
+
+void update_image_state(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
+  const int first = n.image_first;
+  const auto source = n.image_source;
+  for (int k = 0; k < n.planes; ++k) {
+    const Tensor3 R = planes[k].to_image.R;
+    Kokkos::parallel_for(
+        "update_image_state", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
+          const int i = source(image), to = first + image;
+          const Tensor3 stress = load_tensor(p.pair_stress, i);
+          store_tensor(p.pair_stress, to, multiply(multiply(R, stress), transpose(R)));
+          store_symmetric(p.strain_rate, to, rotate(R, load_symmetric(p.strain_rate, i)));
+          store_symmetric(p.artificial_stress, to, rotate(R, load_symmetric(p.artificial_stress, i)));
+          p.impedance(to, 0) = p.impedance(i, 0), p.impedance(to, 1) = p.impedance(i, 1);
+          p.volume(to) = p.volume(i);
+        });
+  }
+}
+
+} // namespace swarf

@@ -1,0 +1,62 @@
+// L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] K_i,  K_i = [sum_j V_j (x_j - x_i) (x) grad W_ij]^-1
+// Randles & Libersky (1996): exact for a linear velocity field on any set of neighbours.
+// Reads position, velocity, volume, smoothing_length. Writes velocity_gradient, correction, rows [0, count).
+#include "swarf/kernels.hpp"
+#include "swarf/pair.hpp"
+
+namespace swarf {
+namespace {
+
+struct GradientSums {
+  Tensor3Of<Pack> L;    // uncorrected
+  Symmetric3Of<Pack> A; // inverse of K
+};
+
+KOKKOS_INLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const Neighbors& n, int cluster,
+                                                  const Lanes& lanes) {
+  const Pack zero(Real(0));
+  GradientSums s{{zero, zero, zero, zero, zero, zero, zero, zero, zero},
+                 {zero, zero, zero, zero, zero, zero}};
+  const auto x_i = lanes.load_vector(p.position), v_i = lanes.load_vector(p.velocity);
+  const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length);
+  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
+    const int j = n.neighbor(k);
+    const auto x_ij = x_i - broadcast_vector(p.position, j);
+    const auto v_ji = broadcast_vector(p.velocity, j) - v_i;
+    const Pack inverse_h = mean_inverse_h(inverse_h_i, p.smoothing_length(j));
+    const Pack slope = Pack(p.volume(j)) * pair_slope(x_ij, inverse_h);
+    const auto grad = slope * x_ij; // V_j grad W_ij
+    s.L.xx += v_ji.x * grad.x, s.L.xy += v_ji.x * grad.y, s.L.xz += v_ji.x * grad.z;
+    s.L.yx += v_ji.y * grad.x, s.L.yy += v_ji.y * grad.y, s.L.yz += v_ji.y * grad.z;
+    s.L.zx += v_ji.z * grad.x, s.L.zy += v_ji.z * grad.y, s.L.zz += v_ji.z * grad.z;
+    s.A.xx -= x_ij.x * grad.x, s.A.yy -= x_ij.y * grad.y, s.A.zz -= x_ij.z * grad.z;
+    s.A.xy -= x_ij.x * grad.y, s.A.yz -= x_ij.y * grad.z, s.A.zx -= x_ij.z * grad.x;
+  }
+  return s;
+}
+
+// Neighbours that span no volume (a plane, a line, none) allow no correction: there K = 1, the plain sum.
+KOKKOS_INLINE_FUNCTION Tensor3 correction_from(const Tensor3& A) {
+  const Real mean = (A.xx + A.yy + A.zz) / Real(3), det = determinant(A);
+  return det > Real(1e-3) * mean * mean * mean ? inverse(A, det) : identity3();
+}
+
+} // namespace
+
+void velocity_gradient(const Particles& p, const Neighbors& n, const ParticleMethod& method) {
+  const bool correct = method.correction;
+  Kokkos::parallel_for(
+      "velocity_gradient", Range(0, n.clusters), KOKKOS_LAMBDA(int cluster) {
+        const Lanes lanes{n.first(cluster), n.size(cluster)};
+        const GradientSums s = sum_neighbors(p, n, cluster, lanes);
+        for (int lane = 0; lane < lanes.size; ++lane) {
+          const int i = lanes.first + lane;
+          const Tensor3 A = to_tensor(lane_of(s.A, lane));
+          const Tensor3 K = correct ? correction_from(A) : identity3();
+          store_tensor(p.correction, i, K);
+          store_tensor(p.points.velocity_gradient, i, multiply(lane_of(s.L, lane), K));
+        }
+      });
+}
+
+} // namespace swarf

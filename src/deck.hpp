@@ -1,0 +1,145 @@
+// A scene as the user wrote it: plain values in SI, checked, with every default filled in.
+#pragma once
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace swarf {
+
+using Triple = std::array<double, 3>;
+
+// what() is a whole message: file, line, key, what was expected, what to do.
+struct DeckError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct MaterialDeck {
+  std::string name;
+  std::string law; // elastic | linear_hardening | johnson_cook
+  double density, youngs_modulus, poissons_ratio;
+  double specific_heat, taylor_quinney;
+  double yield_stress, hardening_modulus;                                  // linear_hardening
+  double A, B, n, C, m, reference_rate, reference_temperature, melt_temperature; // johnson_cook
+  std::optional<std::array<double, 5>> damage;                             // D1..D5
+};
+
+struct FaceDeck {
+  std::string face; // x_min .. z_max | bottom top side | inner outer bottom top start end
+  std::string kind; // fixed | symmetric | periodic | velocity
+  Triple velocity{};
+};
+
+struct BodyDeck {
+  std::string name, shape, fill, material; // shape: block | cylinder | ring | sphere; fill: particles | hexes
+  Triple origin{};                         // block: corner of least x, y, z; others: centre (of the base)
+  Triple size{};                           // block
+  double radius = 0, inner_radius = 0, outer_radius = 0, height = 0;
+  double start_angle = 0, end_angle = 0; // ring, rad; a whole turn closes the ring
+  std::optional<double> spacing;         // m: particles, or edges of hexes
+  std::optional<std::array<int, 3>> cells; // block: nx ny nz; ring: around, axial, radial; cylinder: across, across, axial
+  bool previous_tooth = false;           // ring: inner surface as the previous tooth of the tool left it
+  Triple velocity{};
+  double temperature = 0;
+  std::string tie; // hexes that this body's particles are tied to, or empty
+  std::vector<FaceDeck> faces;
+  int line = 0; // of the deck, for messages
+};
+
+struct ToolDeck {
+  std::string kind; // end_mill | wedge | wall | stl
+  // end mill
+  double diameter = 0, helix = 0, rake = 0, clearance = 0, edge_radius = 0, length = 0;
+  double core_ratio = 0, runout = 0, runout_angle = 0;
+  int flutes = 0;
+  // wedge (shares rake, clearance, edge_radius): cuts along +x of its own frame, edge along z
+  double inclination = 0, width = 0, height = 0;
+  // wall
+  Triple normal{0, 0, 1};
+  double size = 0;
+  std::string file;      // stl, relative to the deck
+  double file_scale = 1; // m per unit of the file
+  // motion
+  Triple position{}, velocity{};
+  double spindle_speed = 0; // rad/s, clockwise seen from +z
+  double feed_per_tooth = 0;
+  Triple feed_direction{1, 0, 0};
+  double start_angle = 0; // immersion angle at time 0, rad
+};
+
+struct ContactDeck {
+  double friction = 0;
+  std::optional<double> shear_limit; // Pa
+  double stiffness = 0.1;            // penalty / (scaled mass / dt^2)
+  double heat_to_workpiece = 0.5;    // share of the friction work that heats the particle
+};
+
+struct ParticlesDeck {
+  double smoothing_ratio = 1.2; // h / spacing
+  std::string smoothing_length; // fixed | evolving
+  std::string density;          // continuity | summation
+  bool correction = true;
+  std::string viscosity_form;   // reconstructed | monaghan
+  double viscosity_linear = 0, viscosity_quadratic = 0;
+  double artificial_stress = 0, artificial_stress_exponent = 4;
+  double xsph = 0;
+  double hourglass = 0; // generalised non-hourglass penalty
+  double skin = 0.1;    // of the support
+};
+
+struct HexesDeck {
+  std::string hourglass; // stiffness | viscous
+  double hourglass_coefficient = 0;
+  double viscosity_linear = 0, viscosity_quadratic = 0;
+  bool delete_failed = false;               // delete a hex whose damage reaches 1
+  std::optional<double> delete_at_strain;   // or whose equivalent plastic strain reaches this
+};
+
+struct RunDeck {
+  std::optional<double> end_time;      // s
+  std::optional<double> end_immersion; // rad, instead of end_time
+  double courant = 0, mass_factor = 1;
+  int threads = 0; // 0: all cores
+  Triple gravity{};
+};
+
+struct LabelledForce {
+  std::string label;
+  double force; // N
+};
+
+struct OutputDeck {
+  double force_scale = 1;               // depth of cut over thickness of the slice
+  int history_steps = 10;               // steps between two history samples, at most
+  std::optional<double> frame_time;     // s
+  std::optional<double> frame_immersion; // rad
+  std::optional<double> checkpoint_time; // s of simulated time; default: with every frame
+  double filter_frequency = 0;          // Hz, low pass of the force; 0: chosen from the run's length
+  std::vector<double> picture_immersion; // rad, views of the strip; default: spread over the run
+  std::vector<double> picture_time;      // s, the same for scenes without a spindle
+  std::string picture_field;             // temperature | equivalent_plastic_strain | von_mises | velocity
+  Triple picture_view{0, 0, 1};          // direction from the scene to the camera
+  std::vector<LabelledForce> published;  // drawn as lines in the force plot
+};
+
+struct Deck {
+  std::string file, title;
+  std::vector<MaterialDeck> materials;
+  std::vector<BodyDeck> bodies;
+  std::optional<ToolDeck> tool;
+  ContactDeck contact;
+  ParticlesDeck particles;
+  HexesDeck hexes;
+  RunDeck run;
+  OutputDeck output;
+};
+
+// Throws DeckError.
+Deck read_deck(const std::string& file);
+// The deck as TOML with every default written out; reading it back gives the same Deck.
+std::string resolved_deck(const Deck& deck);
+// Reference page of all keys: key, unit, bounds, default, help (Markdown).
+std::string key_reference();
+
+} // namespace swarf

@@ -1,0 +1,69 @@
+// A block of particles for tests: cubic lattice, optionally disordered, ready for the kernels.
+#pragma once
+#include "swarf/kernels.hpp"
+#include <random>
+
+namespace swarf::test {
+
+struct ParticleBlock {
+  Particles particles;
+  Neighbors neighbors;
+  MaterialTable materials;
+  ParticleMethod method;
+};
+
+inline void allocate(Particles& p, int rows) {
+  const auto make = [&](auto& field) { field = std::decay_t<decltype(field)>("field", rows); };
+  p.for_each_field([&](const std::string& name, auto& field) {
+    if (name != "hourglass_force" && name != "reference_summation") make(field);
+  });
+  make(p.correction), make(p.pair_stress), make(p.strain_rate), make(p.artificial_stress), make(p.impedance);
+}
+
+inline Material elastic_steel() {
+  Material m;
+  m.density = 7800, m.bulk_modulus = 1e11, m.shear_modulus = 8e10, m.specific_heat = 500;
+  return m;
+}
+
+// counts particles along each axis from (spacing/2, ...); disorder: largest shift of a particle over the
+// spacing.
+inline ParticleBlock particle_block(int nx, int ny, int nz, Real spacing, Real disorder = 0,
+                                    Real ratio = Real(1.2)) {
+  ParticleBlock b;
+  Particles& p = b.particles;
+  const int n = nx * ny * nz;
+  p.count = p.points.count = p.total = n;
+  allocate(p, n);
+  b.materials = MaterialTable("materials", 1);
+  const auto materials = Kokkos::create_mirror_view(b.materials);
+  materials(0) = elastic_steel();
+  Kokkos::deep_copy(b.materials, materials);
+  const auto x = host_copy(p.position);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<Real> shift(-disorder * spacing, disorder * spacing);
+  for (int k = 0, i = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int l = 0; l < nx; ++l, ++i)
+        x(i, 0) = (l + Real(0.5)) * spacing + shift(random),
+             x(i, 1) = (j + Real(0.5)) * spacing + shift(random),
+             x(i, 2) = (k + Real(0.5)) * spacing + shift(random);
+  Kokkos::deep_copy(p.position, x);
+  const Real volume = spacing * spacing * spacing;
+  Kokkos::deep_copy(p.volume, volume), Kokkos::deep_copy(p.points.mass, volume * materials(0).density);
+  Kokkos::deep_copy(p.points.density, materials(0).density);
+  Kokkos::deep_copy(p.smoothing_length, ratio * spacing);
+  b.neighbors.skin = Real(0.1) * 2 * ratio * spacing;
+  b.neighbors.cutoff = 2 * ratio * spacing + b.neighbors.skin;
+  b.method.spacing_ratio = 1 / ratio;
+  return b;
+}
+
+inline void build_lists(ParticleBlock& b, const ImagePlanes& planes = {}) {
+  sort_particles(b.particles, b.neighbors.cutoff / 4);
+  make_images(b.particles, b.neighbors, planes);
+  find_neighbors(b.neighbors, b.particles);
+  update_images(b.particles, b.neighbors, planes);
+}
+
+} // namespace swarf::test

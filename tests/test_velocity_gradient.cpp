@@ -1,0 +1,53 @@
+#include "support/particle_block.hpp"
+#include <gtest/gtest.h>
+
+namespace swarf::test {
+
+// v = L0 x on a disordered set with free surfaces: the corrected gradient is exact (Randles & Libersky 1996).
+void set_linear_velocity(const Particles& p, const Tensor3& L0) {
+  Kokkos::parallel_for(
+      "set", Range(0, p.count),
+      KOKKOS_LAMBDA(int i) { store_vector(p.velocity, i, multiply(L0, load_vector(p.position, i))); });
+}
+
+Real largest_error(const Particles& p, const Tensor3& L0) {
+  Real worst = 0;
+  const auto L = p.points.velocity_gradient;
+  Kokkos::parallel_reduce(
+      "error", Range(0, p.count),
+      KOKKOS_LAMBDA(int i, Real& w) {
+        const Real* reference = &L0.xx;
+        for (int c = 0; c < 9; ++c) w = Kokkos::max(w, Kokkos::abs(L(i, c) - reference[c]));
+      },
+      Kokkos::Max<Real>(worst));
+  return worst;
+}
+
+TEST(VelocityGradient, IsExactForALinearFieldOnADisorderedSet) {
+  const Tensor3 L0{1, 2, -3, 0.5, -1, 4, 2, 0.25, 3};
+  ParticleBlock b = particle_block(9, 8, 7, Real(2.5e-6), Real(0.2));
+  build_lists(b);
+  set_linear_velocity(b.particles, L0);
+  velocity_gradient(b.particles, b.neighbors, b.method);
+  EXPECT_LT(largest_error(b.particles, L0), Kokkos::Experimental::epsilon_v<Real> * 1e3);
+}
+
+TEST(VelocityGradient, WithoutCorrectionIsWrongAtAFreeSurface) {
+  const Tensor3 L0{1, 0, 0, 0, 0, 0, 0, 0, 0};
+  ParticleBlock b = particle_block(9, 8, 7, Real(2.5e-6));
+  b.method.correction = false;
+  build_lists(b);
+  set_linear_velocity(b.particles, L0);
+  velocity_gradient(b.particles, b.neighbors, b.method);
+  EXPECT_GT(largest_error(b.particles, L0), 0.2);
+}
+
+TEST(VelocityGradient, OfALoneParticleIsZeroAndFinite) {
+  ParticleBlock b = particle_block(1, 1, 1, Real(1));
+  build_lists(b);
+  set_linear_velocity(b.particles, {1, 2, 3, 4, 5, 6, 7, 8, 9});
+  velocity_gradient(b.particles, b.neighbors, b.method);
+  EXPECT_EQ(largest_error(b.particles, {0, 0, 0, 0, 0, 0, 0, 0, 0}), 0);
+}
+
+} // namespace swarf::test
