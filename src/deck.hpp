@@ -20,15 +20,17 @@ struct MaterialDeck {
   std::string law; // elastic | linear_hardening | johnson_cook
   double density, youngs_modulus, poissons_ratio;
   double specific_heat, taylor_quinney;
-  double yield_stress, hardening_modulus;                                  // linear_hardening
+  double yield_stress, hardening_modulus;                                        // linear_hardening
   double A, B, n, C, m, reference_rate, reference_temperature, melt_temperature; // johnson_cook
-  std::optional<std::array<double, 5>> damage;                             // D1..D5
+  std::optional<std::array<double, 5>> damage;                                   // D1..D5
+  bool operator==(const MaterialDeck&) const = default;
 };
 
 struct FaceDeck {
   std::string face; // x_min .. z_max | bottom top side | inner outer bottom top start end
   std::string kind; // fixed | symmetric | periodic | velocity
   Triple velocity{};
+  bool operator==(const FaceDeck&) const = default;
 };
 
 struct BodyDeck {
@@ -38,13 +40,15 @@ struct BodyDeck {
   double radius = 0, inner_radius = 0, outer_radius = 0, height = 0;
   double start_angle = 0, end_angle = 0; // ring, rad; a whole turn closes the ring
   std::optional<double> spacing;         // m: particles, or edges of hexes
-  std::optional<std::array<int, 3>> cells; // block: nx ny nz; ring: around, axial, radial; cylinder: across, across, axial
-  bool previous_tooth = false;           // ring: inner surface as the previous tooth of the tool left it
+  std::optional<std::array<int, 3>>
+      cells; // block: nx ny nz; ring: around, axial, radial; cylinder: across, across, axial
+  bool previous_tooth = false; // ring: inner surface as the previous tooth of the tool left it
   Triple velocity{};
   double temperature = 0;
   std::string tie; // hexes that this body's particles are tied to, or empty
   std::vector<FaceDeck> faces;
   int line = 0; // of the deck, for messages
+  bool operator==(const BodyDeck&) const = default;
 };
 
 struct ToolDeck {
@@ -58,7 +62,7 @@ struct ToolDeck {
   // wall
   Triple normal{0, 0, 1};
   double size = 0;
-  std::string file;      // stl, relative to the deck
+  std::string file;      // stl; relative to the deck there, absolute here
   double file_scale = 1; // m per unit of the file
   // motion
   Triple position{}, velocity{};
@@ -66,6 +70,7 @@ struct ToolDeck {
   double feed_per_tooth = 0;
   Triple feed_direction{1, 0, 0};
   double start_angle = 0; // immersion angle at time 0, rad
+  bool operator==(const ToolDeck&) const = default;
 };
 
 struct ContactDeck {
@@ -73,6 +78,7 @@ struct ContactDeck {
   std::optional<double> shear_limit; // Pa
   double stiffness = 0.1;            // penalty / (scaled mass / dt^2)
   double heat_to_workpiece = 0.5;    // share of the friction work that heats the particle
+  bool operator==(const ContactDeck&) const = default;
 };
 
 struct ParticlesDeck {
@@ -80,20 +86,22 @@ struct ParticlesDeck {
   std::string smoothing_length; // fixed | evolving
   std::string density;          // continuity | summation
   bool correction = true;
-  std::string viscosity_form;   // reconstructed | monaghan
+  std::string viscosity_form; // reconstructed | monaghan
   double viscosity_linear = 0, viscosity_quadratic = 0;
   double artificial_stress = 0, artificial_stress_exponent = 4;
   double xsph = 0;
   double hourglass = 0; // generalised non-hourglass penalty
   double skin = 0.1;    // of the support
+  bool operator==(const ParticlesDeck&) const = default;
 };
 
 struct HexesDeck {
   std::string hourglass; // stiffness | viscous
   double hourglass_coefficient = 0;
   double viscosity_linear = 0, viscosity_quadratic = 0;
-  bool delete_failed = false;               // delete a hex whose damage reaches 1
-  std::optional<double> delete_at_strain;   // or whose equivalent plastic strain reaches this
+  bool delete_failed = false;             // delete a hex whose damage reaches 1
+  std::optional<double> delete_at_strain; // or whose equivalent plastic strain reaches this
+  bool operator==(const HexesDeck&) const = default;
 };
 
 struct RunDeck {
@@ -102,25 +110,28 @@ struct RunDeck {
   double courant = 0, mass_factor = 1;
   int threads = 0; // 0: all cores
   Triple gravity{};
+  bool operator==(const RunDeck&) const = default;
 };
 
 struct LabelledForce {
   std::string label;
   double force; // N
+  bool operator==(const LabelledForce&) const = default;
 };
 
 struct OutputDeck {
-  double force_scale = 1;               // depth of cut over thickness of the slice
-  int history_steps = 10;               // steps between two history samples, at most
-  std::optional<double> frame_time;     // s
+  double force_scale = 1;                // depth of cut over thickness of the slice
+  int history_steps = 10;                // steps between two history samples, at most
+  std::optional<double> frame_time;      // s
   std::optional<double> frame_immersion; // rad
   std::optional<double> checkpoint_time; // s of simulated time; default: with every frame
-  double filter_frequency = 0;          // Hz, low pass of the force; 0: chosen from the run's length
+  double filter_frequency = 0;           // Hz, low pass of the force; 0: chosen from the run's length
   std::vector<double> picture_immersion; // rad, views of the strip; default: spread over the run
   std::vector<double> picture_time;      // s, the same for scenes without a spindle
   std::string picture_field;             // temperature | equivalent_plastic_strain | von_mises | velocity
   Triple picture_view{0, 0, 1};          // direction from the scene to the camera
   std::vector<LabelledForce> published;  // drawn as lines in the force plot
+  bool operator==(const OutputDeck&) const = default;
 };
 
 struct Deck {
@@ -133,11 +144,14 @@ struct Deck {
   HexesDeck hexes;
   RunDeck run;
   OutputDeck output;
+  bool operator==(const Deck&) const = default;
 };
 
-// Throws DeckError.
+// Throws DeckError with one line for each fault of the deck: faults of single sections first; those between
+// sections (names, ties, spindle) when there are no others.
 Deck read_deck(const std::string& file);
-// The deck as TOML with every default written out; reading it back gives the same Deck.
+// The deck as TOML with every default written out, in SI units. Reading it back gives the same Deck, bit by
+// bit, but for `file` and the `line` of the bodies.
 std::string resolved_deck(const Deck& deck);
 // Reference page of all keys: key, unit, bounds, default, help (Markdown).
 std::string key_reference();

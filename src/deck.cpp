@@ -1,0 +1,297 @@
+#include "src/deck.hpp"
+#include "src/deck_checks.hpp"
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+namespace swarf {
+namespace {
+
+const std::vector<std::string> section_names = {"material",  "body",  "tool", "contact",
+                                                "particles", "hexes", "run",  "output"};
+
+template <class Section>
+std::vector<std::string> list_names(const Keys<Section>& keys) {
+  std::vector<std::string> names;
+  for (const auto& key : keys) names.push_back(key.name);
+  return names;
+}
+
+template <class Section>
+std::string describe_condition(const Keys<Section>& keys, const std::string& name, const Section& section) {
+  for (const auto& key : keys) {
+    if (key.name != name) continue;
+    for (const Condition& condition : key.when) {
+      const std::string* text = text_of(keys, condition.key, section);
+      const auto& wanted = condition.values;
+      if (text && std::find(wanted.begin(), wanted.end(), *text) == wanted.end())
+        return fmt::format("does not apply to {} = \"{}\". Remove it", condition.key, *text);
+    }
+  }
+  return "does not apply here. Remove it";
+}
+
+// Reads one value, or its default, into the field of the key. Returns what is wrong.
+template <class Section>
+std::string fill_field(const toml::node& node, const Key<Section>& key, Section& section) {
+  return std::visit(
+      [&](auto field) -> std::string {
+        if constexpr (std::is_same_v<decltype(field), std::monostate>)
+          return ""; // read by its own code
+        else
+          return read_value(node, {key.name, key.dimension, key.allowed}, section.*field);
+      },
+      key.field);
+}
+
+// Keys that others depend on (shape, law, kind) stand first in their table, so one pass suffices.
+template <class Section>
+void read_keys(const toml::table& table, const std::string& path, const Keys<Section>& keys, Section& section,
+               DeckReport& report) {
+  const std::vector<std::string> names = list_names(keys);
+  for (auto&& [name, node] : table)
+    if (std::find(names.begin(), names.end(), name.str()) == names.end())
+      report.add(int(name.source().begin.line), fmt::format("{}.{}", path, name.str()),
+                 "is not a known key." + suggest(std::string(name.str()), names));
+  std::vector<std::string> used;
+  for (const auto& key : keys) {
+    if (!applies(keys, key, section)) continue;
+    used.push_back(key.name);
+    const std::string place = path + "." + key.name;
+    if (const toml::node* node = table.get(key.name)) {
+      const std::string error = fill_field(*node, key, section);
+      if (!error.empty()) report.add(*node, place, error);
+      const bool decides = std::any_of(keys.begin(), keys.end(), [&](const auto& other) {
+        return std::any_of(other.when.begin(), other.when.end(),
+                           [&](const auto& c) { return c.key == key.name; });
+      });
+      if (decides && !error.empty()) return; // what else applies is not known
+    } else if (key.value == "required") {
+      report.add(table, place,
+                 fmt::format("is missing. Expected {}: {}", describe_expected(key.dimension, key.allowed),
+                             key.help));
+    } else if (key.value != "optional") {
+      const toml::table text = toml::parse("value = " + key.value);
+      const std::string error = fill_field(*text.get("value"), key, section);
+      if (!error.empty()) throw std::logic_error("default of " + place + ": " + error);
+    }
+  }
+  for (const auto& name : names)
+    if (const toml::node* node = table.get(name);
+        node && std::find(used.begin(), used.end(), name) == used.end()) {
+      used.push_back(name); // a key may have several rows
+      report.add(*node, path + "." + name, describe_condition(keys, name, section));
+    }
+}
+
+class DeckReader {
+ public:
+  DeckReader(const std::string& file, const toml::table& table) : root(table), report(file) {
+    deck.file = file;
+  }
+  Deck read();
+
+ private:
+  const toml::table& root;
+  const toml::table empty{};
+  DeckReport report;
+  Deck deck;
+
+  const toml::table& find_section(const std::string& name);
+  void read_top();
+  void read_materials();
+  void read_bodies();
+  void read_faces(const toml::table& body, std::vector<FaceDeck>& faces);
+  void read_tool();
+  void read_output();
+  void read_run();
+};
+
+// The table, or an empty one so that the defaults are filled in.
+const toml::table& DeckReader::find_section(const std::string& name) {
+  const toml::node* node = root.get(name);
+  if (!node) return empty;
+  if (const toml::table* table = node->as_table()) return *table;
+  report.add(*node, name, fmt::format("expected one section [{}]", name));
+  return empty;
+}
+
+void DeckReader::read_top() {
+  toml::table keys;
+  for (auto&& [name, node] : root) {
+    const std::string word(name.str());
+    if (std::find(section_names.begin(), section_names.end(), word) != section_names.end()) continue;
+    if (word == "title") {
+      keys.insert("title", node);
+      continue;
+    }
+    std::vector<std::string> known = section_names;
+    known.push_back("title");
+    const std::string what = node.is_table() || node.is_array_of_tables() ? "section" : "key";
+    report.add(int(name.source().begin.line), word,
+               fmt::format("is not a known {}.{}", what, suggest(word, known)));
+  }
+  const auto& title = top_keys().front();
+  const toml::node* node = root.get("title");
+  const toml::table text = toml::parse("title = " + title.value);
+  const std::string error = fill_field(node ? *node : *text.get("title"), title, deck);
+  if (!error.empty()) report.add(*node, "title", error);
+}
+
+void DeckReader::read_materials() {
+  for (auto&& [name, node] : find_section("material")) {
+    const std::string path = fmt::format("material.{}", name.str());
+    const toml::table* table = node.as_table();
+    if (!table) {
+      report.add(node, path, "a material has a name: write its keys under [material.NAME]");
+      continue;
+    }
+    MaterialDeck material{};
+    material.name = name.str();
+    const std::size_t before = report.count();
+    read_keys(*table, path, material_keys(), material, report);
+    if (report.count() == before) check_material(material, *table, report);
+    deck.materials.push_back(material);
+  }
+}
+
+void DeckReader::read_faces(const toml::table& body, std::vector<FaceDeck>& faces) {
+  const toml::node* node = body.get("faces");
+  if (!node) return;
+  if (!node->is_table())
+    return report.add(*node, "body.faces", "expected a table: write the faces under [body.faces]");
+  const std::vector<std::string> kinds = {"fixed", "symmetric", "periodic"};
+  std::vector<std::pair<toml::source_position, FaceDeck>> found;
+  for (auto&& [name, value] : *node->as_table()) {
+    FaceDeck face;
+    face.face = name.str();
+    const std::string path = "body.faces." + face.face;
+    if (const toml::table* table = value.as_table()) {
+      face.kind = "velocity";
+      read_keys(*table, path, face_keys(), face, report);
+    } else if (value.is_string() &&
+               std::find(kinds.begin(), kinds.end(), **value.as_string()) != kinds.end()) {
+      face.kind = **value.as_string();
+    } else {
+      const std::string hint = value.is_string() ? suggest(**value.as_string(), kinds) : "";
+      report.add(
+          value, path,
+          R"(expected "fixed", "symmetric", "periodic" or { velocity = ["0 m/s", "0 m/s", "1 m/s"] }.)" +
+              hint);
+    }
+    found.emplace_back(name.source().begin, face);
+  }
+  // Faces that meet are taken in the order of the deck.
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& face : found) faces.push_back(face.second);
+}
+
+void DeckReader::read_bodies() {
+  const toml::node* node = root.get("body");
+  if (!node) return report.add(0, "body", "the deck has no body. Add a section [[body]]");
+  if (!node->is_array_of_tables())
+    return report.add(*node, "body", "there can be several bodies: write [[body]], in double brackets");
+  for (auto&& entry : *node->as_array()) {
+    const toml::table& table = *entry.as_table();
+    BodyDeck body;
+    body.line = int(table.source().begin.line);
+    const std::size_t before = report.count();
+    read_keys(table, "body", body_keys(), body, report);
+    read_faces(table, body.faces);
+    if (report.count() == before) check_body(body, table, report);
+    deck.bodies.push_back(body);
+  }
+}
+
+void DeckReader::read_tool() {
+  if (root.contains("tool")) {
+    const toml::table& table = find_section("tool");
+    ToolDeck tool;
+    const std::size_t before = report.count();
+    read_keys(table, "tool", tool_keys(), tool, report);
+    if (report.count() == before) check_tool(tool, table, deck.file, report);
+    deck.tool = tool;
+    const toml::table& contact = find_section("contact");
+    read_keys(&contact == &empty ? table : contact, "contact", contact_keys(), deck.contact, report);
+  } else if (const toml::node* contact = root.get("contact")) {
+    report.add(*contact, "contact", "there is no [tool] to touch. Remove this section or add a tool");
+  }
+}
+
+void DeckReader::read_run() {
+  const toml::table& table = find_section("run");
+  const std::size_t before = report.count();
+  read_keys(table, "run", run_keys(), deck.run, report);
+  if (report.count() > before || deck.run.end_time.has_value() != deck.run.end_immersion.has_value()) return;
+  if (deck.run.end_time)
+    report.add(*table.get("end_immersion"), "run.end_immersion",
+               "give either end_time or end_immersion, not both");
+  else
+    report.add(table, "run.end_time",
+               "is missing: nothing says when the run ends. Give end_time, or end_immersion");
+}
+
+void DeckReader::read_output() {
+  const toml::table& table = find_section("output");
+  const std::size_t before = report.count();
+  read_keys(table, "output", output_keys(), deck.output, report);
+  if (report.count() == before) check_output(deck.output, table, report);
+  const toml::node* published = table.get("published");
+  if (!published) return;
+  const toml::array* rows = published->as_array();
+  const bool is_list = rows && (rows->empty() || published->is_array_of_tables());
+  if (!is_list)
+    return report.add(*published, "output.published",
+                      R"(expected a list such as [{ label = "measured", force = "10.5 N" }])");
+  for (auto&& row : *rows)
+    read_keys(*row.as_table(), "output.published", published_keys(), deck.output.published.emplace_back(),
+              report);
+}
+
+Deck DeckReader::read() {
+  read_top();
+  read_materials();
+  read_bodies();
+  read_tool();
+  read_keys(find_section("particles"), "particles", particles_keys(), deck.particles, report);
+  read_keys(find_section("hexes"), "hexes", hexes_keys(), deck.hexes, report);
+  read_run();
+  read_output();
+  report.throw_if_any();
+  check_deck(deck, root, report);
+  report.throw_if_any();
+  return deck;
+}
+
+std::string read_text(const std::string& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    throw DeckError(file + ": cannot read the deck: this is a folder. Give the path of a TOML file.");
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (in) text << in.rdbuf();
+  if (!in || text.fail() || in.bad())
+    throw DeckError(fmt::format("{}: cannot read the deck: {}. Give the path of a TOML file.", file,
+                                std::strerror(errno)));
+  return text.str();
+}
+
+} // namespace
+
+Deck read_deck(const std::string& file) {
+  const std::string text = read_text(file);
+  try {
+    const toml::table table = toml::parse(text, file);
+    return DeckReader(file, table).read();
+  } catch (const toml::parse_error& error) {
+    throw DeckError(
+        fmt::format("{}:{}: this is not TOML: {}. Values with units are text in quotes: \"10 um\".", file,
+                    error.source().begin.line, error.description()));
+  }
+}
+
+} // namespace swarf

@@ -1,0 +1,21 @@
+// Rules between keys. They run on sections whose own keys were read without an error.
+#pragma once
+#include "src/deck_values.hpp"
+
+namespace swarf {
+
+void check_material(const MaterialDeck& material, const toml::table& table, DeckReport& report);
+void check_body(const BodyDeck& body, const toml::table& table, DeckReport& report);
+// Also makes the STL file's name absolute, so that the resolved deck can be read from any folder.
+void check_tool(ToolDeck& tool, const toml::table& table, const std::string& deck_file, DeckReport& report);
+void check_output(const OutputDeck& output, const toml::table& table, DeckReport& report);
+
+// Between sections; `root` is the whole deck.
+void check_deck(const Deck& deck, const toml::table& root, DeckReport& report);
+
+// Does this body have the face? Reads shape, radii and angles.
+std::vector<std::string> list_faces(const BodyDeck& body);
+// "" if the face has no opposite.
+std::string find_opposite(const std::string& face);
+
+} // namespace swarf

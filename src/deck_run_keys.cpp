@@ -1,0 +1,124 @@
+// The keys of the method, the run and its output.
+#include "src/deck_keys.hpp"
+
+namespace swarf {
+namespace {
+
+using D = Dimension;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{}, positive{0, infinity, true, false}, not_negative{0, infinity}, share{0, 1};
+const std::vector<Condition> always;
+constexpr std::monostate custom;
+const std::string required = "required", optional = "optional";
+
+} // namespace
+
+const Keys<ParticlesDeck>& particles_keys() {
+  using P = ParticlesDeck;
+  static const Keys<P> keys = {
+      {"smoothing_ratio", &P::smoothing_ratio, D::none, Range{0.8, 3}, "1.2", always,
+       "smoothing length h / spacing; the kernel reaches 2 h"},
+      {"smoothing_length", &P::smoothing_length, D::none, Choices{"fixed", "evolving"}, R"("fixed")", always,
+       "evolving: h follows the density"},
+      {"density", &P::density, D::none, Choices{"continuity", "summation"}, R"("continuity")", always,
+       "from the divergence of the velocity, or from the sum over neighbours"},
+      {"correction", &P::correction, D::none, any, "true", always,
+       "correct the kernel gradient (Randles & Libersky 1996): exact for linear fields"},
+      {"viscosity_form", &P::viscosity_form, D::none, Choices{"reconstructed", "monaghan"},
+       R"("reconstructed")", always,
+       "reconstructed: acts only on what a linear velocity field does not explain; monaghan: on the whole "
+       "difference of velocity"},
+      {"viscosity_linear", &P::viscosity_linear, D::none, Range{0, 10}, "0.5", always,
+       "artificial viscosity, share of density * wave speed * h"},
+      {"viscosity_quadratic", &P::viscosity_quadratic, D::none, Range{0, 10}, "1.0", always,
+       "artificial viscosity in shocks"},
+      {"artificial_stress", &P::artificial_stress, D::none, share, "0.3", always,
+       "share of a tension that is taken back between close pairs (Gray, Monaghan & Swift 2001); 0: off"},
+      {"artificial_stress_exponent", &P::artificial_stress_exponent, D::none, Range{1, 10}, "4.0", always,
+       "power of W(r) / W(spacing) in it"},
+      {"xsph", &P::xsph, D::none, share, "0.0", always,
+       "share of the neighbours' mean velocity in the drift; 0: off"},
+      {"hourglass", &P::hourglass, D::none, Range{0, 10}, "0.0", always,
+       "penalty of non-affine motion between pairs (Zhang et al. 2024); 0: off"},
+      {"skin", &P::skin, D::none, Range{0, 1, true, false}, "0.1", always,
+       "reach of the neighbour lists beyond the kernel's, over the kernel's; changes the cost only"},
+  };
+  return keys;
+}
+
+const Keys<HexesDeck>& hexes_keys() {
+  using H = HexesDeck;
+  static const Keys<H> keys = {
+      {"hourglass", &H::hourglass, D::none, Choices{"stiffness", "viscous"}, R"("stiffness")", always,
+       "control of the zero-energy modes (Flanagan & Belytschko 1981)"},
+      {"hourglass_coefficient", &H::hourglass_coefficient, D::none, share, "0.05", always, "strength of it"},
+      {"viscosity_linear", &H::viscosity_linear, D::none, Range{0, 10}, "0.06", always,
+       "bulk viscosity, in compression"},
+      {"viscosity_quadratic", &H::viscosity_quadratic, D::none, Range{0, 10}, "1.2", always,
+       "bulk viscosity in shocks"},
+      {"delete_failed", &H::delete_failed, D::none, any, "false", always,
+       "delete a hex whose damage reaches 1"},
+      {"delete_at_strain", &H::delete_at_strain, D::none, positive, optional, always,
+       "delete a hex whose equivalent plastic strain reaches this"},
+  };
+  return keys;
+}
+
+const Keys<RunDeck>& run_keys() {
+  using R = RunDeck;
+  static const Keys<R> keys = {
+      {"end_time", &R::end_time, D::time, positive, optional, always,
+       "when the run ends; this or end_immersion"},
+      {"end_immersion", &R::end_immersion, D::angle, Range{-360, 3.6e6}, optional, always,
+       "immersion angle of the first tooth where the run ends; needs a spindle"},
+      {"courant", &R::courant, D::none, Range{0, 1, true, false}, "0.3", always, "step / (h / wave speed)"},
+      {"mass_factor", &R::mass_factor, D::none, Range{1, 1e8}, "1.0", always,
+       "inertia is that of this many times the mass: the step grows with its root, heat and rates stay "
+       "right"},
+      {"threads", &R::threads, D::none, Range{0, 4096}, "0", always, "of the computation; 0: all cores"},
+      {"gravity", &R::gravity, D::acceleration, any, R"(["0 m/s2", "0 m/s2", "0 m/s2"])", always,
+       "acts on all bodies"},
+  };
+  return keys;
+}
+
+const Keys<OutputDeck>& output_keys() {
+  using O = OutputDeck;
+  static const Keys<O> keys = {
+      {"force_scale", &O::force_scale, D::none, positive, "1.0", always,
+       "factor of all reported forces and torques: depth of cut / thickness of the modelled slice"},
+      {"history_steps", &O::history_steps, D::none, Range{1, 1e6}, "10", always,
+       "most steps between two history samples"},
+      {"frame_time", &O::frame_time, D::time, positive, optional, always,
+       "between two frames; or frame_immersion"},
+      {"frame_immersion", &O::frame_immersion, D::angle, positive, optional, always,
+       "between two frames; needs a spindle"},
+      {"checkpoint_time", &O::checkpoint_time, D::time, positive, optional, always,
+       "simulated time between two checkpoints; not given: with every frame"},
+      {"filter_frequency", &O::filter_frequency, D::rate, not_negative, R"("0 Hz")", always,
+       "low pass of the filtered forces; 0: chosen from the length of the run"},
+      {"picture_immersion", &O::picture_immersion, D::angle, any, "[]", always,
+       "immersion angles of the rendered views; empty: spread over the run; needs a spindle"},
+      {"picture_time", &O::picture_time, D::time, not_negative, "[]", always,
+       "times of the rendered views, for scenes without a spindle; empty: spread over the run"},
+      {"picture_field", &O::picture_field, D::none,
+       Choices{"temperature", "equivalent_plastic_strain", "von_mises", "velocity"}, R"("temperature")",
+       always, "what colours the rendered views"},
+      {"picture_view", &O::picture_view, D::none, Direction{}, "[0.0, 0.0, 1.0]", always,
+       "from the scene to the camera"},
+      {"published", custom, D::none, any, optional, always,
+       "list of { label, force }: values drawn as lines in the plot of the planar force"},
+  };
+  return keys;
+}
+
+const Keys<LabelledForce>& published_keys() {
+  using L = LabelledForce;
+  static const Keys<L> keys = {
+      {"label", &L::label, D::none, Text{}, required, always, "of the line"},
+      {"force", &L::force, D::force, any, required, always, "planar resultant"},
+  };
+  return keys;
+}
+
+} // namespace swarf
