@@ -1,0 +1,69 @@
+// The folder of one run: where each file lies, and writing that leaves only whole files behind.
+#pragma once
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace swarf {
+
+// what() is a whole message: file or folder, what went wrong, what to do.
+struct ResultsError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct ResultsFolder {
+  std::filesystem::path path;
+
+  std::filesystem::path deck() const { return path / "deck.toml"; } // resolved: every default written out
+  std::filesystem::path history() const { return path / "history.csv"; }
+  std::filesystem::path filtered_history() const { return path / "history_filtered.csv"; }
+  std::filesystem::path results() const { return path / "results.h5"; }
+  std::filesystem::path checkpoint() const { return path / "checkpoint.h5"; }
+  std::filesystem::path summary() const { return path / "summary.json"; }
+  std::filesystem::path frames() const { return path / "frames"; }
+  std::filesystem::path frame_list() const { return path / "frames.csv"; }
+  std::filesystem::path paraview() const { return path / "frames.pvd"; }
+  std::filesystem::path pictures() const { return path / "pictures"; }
+};
+
+// A folder for a new run: made if missing, and emptied of the files that an earlier run of swarf left (no
+// others are touched). Throws ResultsError if it cannot be written.
+ResultsFolder create_results(const std::filesystem::path& folder);
+// The folder of a run that exists (restart, plot, render). Throws ResultsError if it holds no history.
+ResultsFolder open_results(const std::filesystem::path& folder);
+
+// Writes FILE.tmp, flushes it to the disk and renames it: at every moment FILE is absent, the old or the new
+// one.
+void write_file(const std::filesystem::path& file, std::string_view content);
+// The same last act for a file that something else wrote as temporary_name(file).
+std::filesystem::path temporary_name(const std::filesystem::path& file);
+void commit_file(const std::filesystem::path& file);
+// The whole text of a file. Throws ResultsError.
+std::string read_text(const std::filesystem::path& file);
+
+// 16 hex digits of FNV-1a (64 bit): tells one deck from another.
+std::string hash_text(std::string_view text);
+
+// An ordered JSON object for summary.json. Numbers keep full precision; NaN and infinity become null.
+class Json {
+ public:
+  Json& set(const std::string& key, double value);
+  Json& set(const std::string& key, int value) { return set(key, static_cast<long long>(value)); }
+  Json& set(const std::string& key, long value) { return set(key, static_cast<long long>(value)); }
+  Json& set(const std::string& key, long long value);
+  Json& set(const std::string& key, bool value);
+  Json& set(const std::string& key, const char* value) { return set(key, std::string(value)); }
+  Json& set(const std::string& key, const std::string& value);
+  Json& set(const std::string& key, const std::vector<double>& values);
+  Json& set(const std::string& key, const Json& object);
+  std::string text(int indent = 0) const;
+
+ private:
+  Json& put(const std::string& key, std::string value);
+  std::vector<std::pair<std::string, std::string>> members; // value as JSON text
+};
+
+} // namespace swarf
