@@ -1,0 +1,30 @@
+#include "swarf/kernels.hpp"
+
+namespace swarf {
+
+// Periodic pairs of nodes move as one node seen twice, slave = R master. Forces in: both get the sum,
+// f_master += R^T f_slave, f_slave = R f_master. Velocities out: v_slave = R v_master.
+// One pass per transform: within a pass a node is in one row at most, and a node on the edge of two periodic
+// directions gets the sum of all its copies, pass after pass, without atomics.
+// Reads coupled_nodes and the table; reads and writes force, or velocity.
+void couple_nodes(const HexMesh& mesh, const TransformTable& transforms, bool forces) {
+  const HexMesh m = mesh; // the kernel's own copy of the Views
+  const int rows = int(m.coupled_nodes.extent(0));
+  if (rows == 0) return;
+  for (int pass = 0; pass < int(transforms.extent(0)); ++pass)
+    Kokkos::parallel_for(
+        "couple_nodes", Range(0, rows), KOKKOS_LAMBDA(const int k) {
+          const int master = m.coupled_nodes(k, 0), slave = m.coupled_nodes(k, 1);
+          if (m.coupled_nodes(k, 2) != pass) return;
+          const Tensor3 R = transforms(pass).R;
+          const VectorField& field = forces ? m.force : m.velocity;
+          Vector3 u = load_vector(field, master);
+          if (forces) {
+            u = u + multiply(transpose(R), load_vector(field, slave));
+            store_vector(field, master, u);
+          }
+          store_vector(field, slave, multiply(R, u));
+        });
+}
+
+} // namespace swarf
