@@ -2,10 +2,11 @@
 
 namespace swarf {
 
-// Periodic pairs of nodes move as one node seen twice, slave = R master. Forces in: both get the sum,
-// f_master += R^T f_slave, f_slave = R f_master. Velocities out: v_slave = R v_master.
+// Periodic pairs of nodes move as one node seen twice, slave = R master. Each carries half of its mass (the scene
+// makes the masses of a pair equal), so that sums over nodes count it once. Forces in: both get the mean,
+// f_master = (f_master + R^T f_slave) / 2, f_slave = R f_master. Velocities out: v_slave = R v_master.
 // One pass per transform: within a pass a node is in one row at most, and a node on the edge of two periodic
-// directions gets the sum of all its copies, pass after pass, without atomics.
+// directions gets the mean of all its copies, pass after pass, without atomics.
 // Reads coupled_nodes and the table; reads and writes force, or velocity.
 void couple_nodes(const HexMesh& mesh, const TransformTable& transforms, bool forces) {
   const HexMesh m = mesh; // the kernel's own copy of the Views
@@ -20,7 +21,7 @@ void couple_nodes(const HexMesh& mesh, const TransformTable& transforms, bool fo
           const VectorField& field = forces ? m.force : m.velocity;
           Vector3 u = load_vector(field, master);
           if (forces) {
-            u = u + multiply(transpose(R), load_vector(field, slave));
+            u = Real(0.5) * (u + multiply(transpose(R), load_vector(field, slave)));
             store_vector(field, master, u);
           }
           store_vector(field, slave, multiply(R, u));
