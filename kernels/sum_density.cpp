@@ -34,7 +34,7 @@ void sum_density(const Particles& p, const Neighbors& n, const MaterialTable& ma
           const int i = lanes.first + lane;
           if (p.reference_summation(i) == Real(0)) p.reference_summation(i) = lane_of(sum, lane);
           p.points.density(i) =
-              materials(p.points.material(i)).density * lane_of(sum, lane) / p.reference_summation(i);
+              materials(p.points.material(i)).density * (lane_of(sum, lane) / p.reference_summation(i));
         }
       });
 }

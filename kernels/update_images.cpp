@@ -16,6 +16,7 @@ void update_images(const Particles& p, const Neighbors& n, const ImagePlanes& pl
           store_vector(p.velocity, to, multiply(map.R, load_vector(p.velocity, i)));
           p.volume(to) = p.volume(i);
           p.smoothing_length(to) = p.smoothing_length(i);
+          p.impedance(to, 0) = p.impedance(i, 0), p.impedance(to, 1) = p.impedance(i, 1);
         });
   }
 }
@@ -33,7 +34,7 @@ void update_image_state(const Particles& p, const Neighbors& n, const ImagePlane
           store_symmetric(p.strain_rate, to, rotate(R, load_symmetric(p.strain_rate, i)));
           store_symmetric(p.artificial_stress, to, rotate(R, load_symmetric(p.artificial_stress, i)));
           p.impedance(to, 0) = p.impedance(i, 0), p.impedance(to, 1) = p.impedance(i, 1);
-          p.volume(to) = p.volume(i);
+          p.volume(to) = p.volume(i); // the stress update changed the density
         });
   }
 }

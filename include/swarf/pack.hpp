@@ -10,6 +10,8 @@
 
 namespace swarf {
 
+KOKKOS_FORCEINLINE_FUNCTION Real select(bool mask, Real a, Real b) { return mask ? a : b; }
+
 #ifdef SWARF_ONE_LANE
 using Pack = Real;
 inline constexpr int pack_width = 1;
@@ -19,7 +21,6 @@ KOKKOS_FORCEINLINE_FUNCTION Pack make_pack(const Lane& lane) {
   return lane(0);
 }
 KOKKOS_FORCEINLINE_FUNCTION Real lane_of(const Pack& p, int) { return p; }
-KOKKOS_FORCEINLINE_FUNCTION Pack select(bool mask, Pack a, Pack b) { return mask ? a : b; }
 KOKKOS_FORCEINLINE_FUNCTION bool any_less(const Pack& a, Real b) { return a < b; }
 #else
 using Pack = Kokkos::Experimental::simd<Real>;

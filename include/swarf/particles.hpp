@@ -47,7 +47,7 @@ struct Particles {
   void for_each_field(Visitor&& visit) {
     points.for_each_field(visit);
     visit("position", position), visit("velocity", velocity), visit("force", force);
-    visit("smoothing_length", smoothing_length), visit("volume", volume);
+    visit("smoothing_length", smoothing_length), visit("volume", volume), visit("impedance", impedance);
     visit("hourglass_force", hourglass_force), visit("reference_summation", reference_summation);
     visit("friction_force", friction_force), visit("contact_force", contact_force);
     visit("friction_work", friction_work), visit("viscous_work", viscous_work);

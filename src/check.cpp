@@ -1,0 +1,112 @@
+#include "src/check.hpp"
+#include "src/run.hpp"
+#include "src/simulation.hpp"
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <sys/resource.h>
+
+namespace swarf {
+namespace {
+
+class Findings {
+ public:
+  template <class... T>
+  void line(const char* name, fmt::format_string<T...> text, T&&... values) {
+    fmt::print("  {:<34} {}\n", name, fmt::format(text, std::forward<T>(values)...));
+  }
+  void warn(const std::string& text) {
+    fmt::print("  WARNING: {}\n", text);
+    ++warnings;
+  }
+  int warnings = 0;
+};
+
+double mass_of(const MaterialPoints& points) {
+  const auto mass = host_copy(points.mass);
+  double sum = 0;
+  for (int i = 0; i < points.count; ++i) sum += double(mass(i));
+  return sum;
+}
+
+// Uncut chip: the feed per tooth of a mill; a wedge cuts what lies above its edge.
+double uncut_chip(const Deck& deck, const Scene& scene) {
+  if (deck.tool->kind == "end_mill") return deck.tool->feed_per_tooth;
+  const auto x = host_copy(scene.particles.position);
+  double top = -1e300;
+  for (int i = 0; i < scene.particles.count; ++i) top = std::max(top, double(x(i, 1)));
+  return top + 0.5 * scene.spacing - deck.tool->position[1];
+}
+
+void check_cutting(const Deck& deck, const Scene& scene, Findings& found) {
+  if (!deck.tool || scene.particles.count == 0) return;
+  const ToolDeck& tool = *deck.tool;
+  const bool cuts = tool.kind == "end_mill" || tool.kind == "wedge";
+  if (!cuts) return;
+  const double chip = uncut_chip(deck, scene) / scene.spacing, edge = tool.edge_radius / scene.spacing;
+  found.line("particles per uncut chip", "{:.1f}", chip);
+  if (chip < 4) found.warn(fmt::format("{:.1f} particles across the uncut chip: take body.spacing <= {:.3g} um for 4",
+                                       chip, 1e6 * uncut_chip(deck, scene) / 4));
+  found.line("particles per edge radius", "{:.1f}", edge);
+  if (tool.edge_radius > 0 && edge < 2)
+    found.warn(fmt::format("{:.1f} particles along the edge radius: the edge is not resolved", edge));
+}
+
+void check_inertia(const Deck& deck, Findings& found) {
+  if (!deck.tool) return;
+  const ToolDeck& tool = *deck.tool;
+  const double speed = std::max(std::hypot(tool.velocity[0], tool.velocity[1], tool.velocity[2]),
+                                tool.spindle_speed * tool.diameter / 2);
+  if (speed == 0) return;
+  for (const MaterialDeck& m : deck.materials) {
+    const double K = m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio), G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+    const double c = std::sqrt((K + 4 * G / 3) / m.density / deck.run.mass_factor);
+    found.line("mass-scaled wave speed / tool speed", "{:.0f} ({})", c / speed, m.name);
+    if (c < 50 * speed) found.warn("inertia of the scaled mass will show in the force: lower run.mass_factor");
+  }
+}
+
+double duration(const Deck& deck) {
+  if (deck.run.end_time) return *deck.run.end_time;
+  return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;
+}
+
+} // namespace
+
+int check_deck(const std::string& file) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const Deck deck = read_deck(file);
+  Findings found;
+  fmt::print("{}\n", file);
+  Simulation simulation(deck);
+  const Scene& scene = simulation.scene();
+  simulation.start();
+  const double start_up = seconds();
+  found.line("particles", "{} (+ {} tied, {} images)", scene.particles.count, scene.particles.tied,
+             simulation.neighbors().images);
+  found.line("hexes", "{} ({} nodes)", scene.hexes.points.count, scene.hexes.nodes);
+  found.line("mass", "{:.6g} kg", mass_of(scene.particles.points) + mass_of(scene.hexes.points));
+  found.line("time step", "{:.4g} s, limited by {}", simulation.dt(), simulation.limiter());
+  const double steps = duration(deck) / simulation.dt();
+  found.line("steps", "{:.4g} for {:.4g} s", steps, duration(deck));
+  const int trial = 10;
+  for (int k = 0; k < trial; ++k) {
+    simulation.step();
+    if (simulation.steps_to_check() <= 0) simulation.check();
+  }
+  const double per_step = (seconds() - start_up) / trial;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  found.line("time per step", "{:.4g} s on {} threads, start-up {:.2f} s", per_step, ExecSpace().concurrency(),
+             start_up);
+  found.line("predicted run time", "{:.3g} s ({:.3g} h)", steps * per_step, steps * per_step / 3600);
+  found.line("memory", "{:.0f} MiB", double(usage.ru_maxrss) / 1024);
+  check_cutting(deck, scene, found);
+  check_inertia(deck, found);
+  fmt::print("{}\n", found.warnings == 0 ? "fit to run" : fmt::format("{} warning(s)", found.warnings));
+  return found.warnings;
+}
+
+} // namespace swarf

@@ -1,0 +1,69 @@
+// The program: swarf run | check | keys | plot | render.
+#include "src/check.hpp"
+#include "src/plot.hpp"
+#include "src/render.hpp"
+#include "src/results.hpp"
+#include "src/run.hpp"
+#include "src/simulation.hpp"
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+// Kokkos starts after the deck is known to be sound, with the threads that the user or the deck asks for.
+template <class Work>
+int with_kokkos(int threads, const Work& work) {
+  Kokkos::InitializationSettings settings;
+  settings.set_disable_warnings(true);
+  if (threads > 0) settings.set_num_threads(threads);
+  const Kokkos::ScopeGuard guard(settings);
+  return work();
+}
+
+int threads_for(const std::string& deck, int asked) { return asked > 0 ? asked : swarf::read_deck(deck).run.threads; }
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("swarf: micro end milling by particles and hexes");
+  app.set_version_flag("--version", SWARF_VERSION);
+  app.require_subcommand(1);
+  swarf::RunOptions options;
+  int threads = 0;
+  bool no_pictures = false;
+
+  CLI::App* run = app.add_subcommand("run", "run a deck");
+  run->add_option("deck", options.deck, "the deck, a TOML file")->required();
+  run->add_option("-o,--output", options.output, "results folder (default results/NAME of the deck)");
+  run->add_option("-t,--threads", threads, "threads (default: the deck's, else all cores)")->check(CLI::PositiveNumber);
+  run->add_option("--stop-after", options.stop_after, "stop after so many steps")->check(CLI::PositiveNumber);
+  run->add_flag("--resume", options.resume, "continue from the folder's checkpoint");
+  run->add_flag("--no-pictures", no_pictures, "draw nothing at the end");
+
+  CLI::App* check = app.add_subcommand("check", "build the scene, say what it costs and whether it is fit");
+  check->add_option("deck", options.deck, "the deck")->required();
+  check->add_option("-t,--threads", threads, "threads")->check(CLI::PositiveNumber);
+
+  CLI::App* keys = app.add_subcommand("keys", "print the reference of all deck keys");
+
+  std::string folder;
+  CLI::App* plot = app.add_subcommand("plot", "draw force and energy plots of a results folder again");
+  plot->add_option("results", folder, "results folder")->required();
+  CLI::App* render = app.add_subcommand("render", "draw the chip pictures of a results folder again");
+  render->add_option("results", folder, "results folder")->required();
+
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (*keys) return fmt::print("{}", swarf::key_reference()), 0;
+    if (*plot) return swarf::plot_forces(folder), swarf::plot_energies(folder), 0;
+    if (*render) return swarf::render_strip(folder) ? 0 : 1;
+    options.pictures = !no_pictures;
+    const int asked = threads_for(options.deck, threads);
+    if (*check) return with_kokkos(asked, [&] { return swarf::check_deck(options.deck), 0; });
+    if (*run) return with_kokkos(asked, [&] { return swarf::run_deck(options); });
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "swarf: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

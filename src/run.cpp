@@ -1,0 +1,168 @@
+#include "src/run.hpp"
+#include "src/frame.hpp"
+#include "src/plot.hpp"
+#include "src/progress.hpp"
+#include "src/render.hpp"
+#include "src/results.hpp"
+#include "src/summary.hpp"
+#include "src/write_hdf5.hpp"
+#include "src/write_vtk.hpp"
+#include <cmath>
+#include <csignal>
+#include <fmt/format.h>
+#include <memory>
+#include <numbers>
+
+namespace swarf {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int) { interrupted = 1; }
+
+double end_time_of(const Deck& deck) {
+  if (deck.run.end_time) return *deck.run.end_time;
+  return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;
+}
+
+double frame_interval_of(const Deck& deck, double end) {
+  if (deck.output.frame_time) return *deck.output.frame_time;
+  if (deck.output.frame_immersion) return *deck.output.frame_immersion / deck.tool->spindle_speed;
+  return end / 20;
+}
+
+// The run's files and when each is due. Frames and checkpoints fall on the next check after their time.
+class Recorder {
+ public:
+  Recorder(const Deck& from, Simulation& of, const ResultsFolder& into, double end)
+      : deck(from), simulation(of), folder(into), frame_interval(frame_interval_of(from, end)),
+        checkpoint_interval(from.output.checkpoint_time.value_or(frame_interval)),
+        teeth(from.tool ? std::max(1, from.tool->flutes) : 1) {}
+
+  void begin() {
+    history = std::make_unique<HistoryFile>(folder.history(), teeth);
+    frames = std::make_unique<FrameSeries>(folder);
+    record(simulation.sample());
+  }
+
+  void resume() {
+    const CheckpointReader in(folder.checkpoint());
+    if (in.deck_hash() != hash_text(resolved_deck(deck)))
+      throw ResultsError(folder.checkpoint().string() +
+                         ": belongs to another deck. Resume with the deck it was written with, or start anew.");
+    simulation.read_state(in);
+    long rows = 0;
+    int written = 0;
+    in.get("history_rows", rows), in.get("frames", written);
+    in.get("next_frame", next_frame), in.get("next_checkpoint", next_checkpoint);
+    in.get("leaked", leaked);
+    history = std::make_unique<HistoryFile>(folder.history(), teeth, rows);
+    frames = std::make_unique<FrameSeries>(folder, written);
+  }
+
+  void record(const HistorySample& sample) {
+    history->append(sample);
+    if (sample.time >= next_frame) {
+      write_frame();
+      next_frame = (std::floor(sample.time / frame_interval * (1 + 1e-12)) + 1) * frame_interval;
+    }
+    if (sample.time >= next_checkpoint) {
+      next_checkpoint = (std::floor(sample.time / checkpoint_interval * (1 + 1e-12)) + 1) * checkpoint_interval;
+      write_checkpoint();
+    }
+  }
+
+  void write_frame() {
+    FrameData frame = copy_frame(simulation.scene().particles, simulation.scene().hexes, simulation.scene().tool,
+                                 simulation.pose());
+    frame.time = simulation.time();
+    if (deck.tool && deck.tool->spindle_speed > 0) frame.immersion = simulation.immersion_deg();
+    frames->write(frame);
+    leaked = std::max(leaked, simulation.leaked_particles());
+  }
+
+  void write_checkpoint() const {
+    CheckpointWriter out(folder.checkpoint(), hash_text(resolved_deck(deck)));
+    simulation.write_state(out);
+    out.put("history_rows", history->rows()), out.put("frames", frames->count());
+    out.put("next_frame", next_frame), out.put("next_checkpoint", next_checkpoint);
+    out.put("leaked", leaked);
+    out.finish();
+  }
+
+  int most_leaked() const { return leaked; }
+
+ private:
+  const Deck& deck;
+  Simulation& simulation;
+  ResultsFolder folder;
+  double frame_interval, checkpoint_interval;
+  int teeth, leaked = 0;
+  double next_frame = 0, next_checkpoint = 0;
+  std::unique_ptr<HistoryFile> history;
+  std::unique_ptr<FrameSeries> frames;
+};
+
+// Draws what it can; a missing display costs the pictures, not the run.
+void draw(const ResultsFolder& folder) {
+  try {
+    plot_forces(folder.path);
+    plot_energies(folder.path);
+    if (render_strip(folder.path)) fmt::print("pictures: {}\n", folder.pictures().string());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "swarf: no pictures: {}\n", error.what());
+  }
+}
+
+} // namespace
+
+std::string default_output(const std::string& deck_file) {
+  return (std::filesystem::path("results") / std::filesystem::path(deck_file).stem()).string();
+}
+
+int run_deck(const RunOptions& options) {
+  const Deck deck = read_deck(options.deck);
+  const std::string where = options.output.empty() ? default_output(options.deck) : options.output;
+  const double end = end_time_of(deck);
+  Simulation simulation(deck);
+  const ResultsFolder folder = options.resume ? open_results(where) : create_results(where);
+  write_file(folder.deck(), resolved_deck(deck));
+  if (deck.tool) write_stl(simulation.tool_surface(), (folder.path / "tool.stl").string());
+  Recorder recorder(deck, simulation, folder, end);
+  std::signal(SIGINT, on_interrupt), std::signal(SIGTERM, on_interrupt);
+  Progress progress(deck, end);
+  int exit_status = 0;
+  std::string ended = "complete";
+  try {
+    if (options.resume)
+      recorder.resume();
+    else
+      simulation.start(), recorder.begin();
+    while (simulation.time() < end && !interrupted) {
+      simulation.step();
+      if (simulation.steps_to_check() > 0) continue;
+      simulation.check();
+      const HistorySample sample = simulation.sample();
+      recorder.record(sample);
+      progress.show(simulation, sample);
+      if (options.stop_after > 0 && simulation.step_count() >= options.stop_after) break;
+    }
+    if (interrupted) ended = "interrupted", exit_status = 130;
+    if (!interrupted) recorder.write_frame();
+    if (interrupted) recorder.write_checkpoint();
+  } catch (const SimulationFault& fault) {
+    ended = fault.what(), exit_status = 3;
+    recorder.write_frame();
+    recorder.write_checkpoint();
+  }
+  progress.finish();
+  write_history_results(folder, deck.output.filter_frequency);
+  write_summary(folder, deck, simulation, ended, progress.seconds(), recorder.most_leaked());
+  report(simulation, progress.seconds());
+  if (exit_status == 3) fmt::print(stderr, "swarf: {}\n", ended);
+  if (exit_status == 130)
+    fmt::print("interrupted; continue with: swarf run {} --output {} --resume\n", options.deck, where);
+  if (options.pictures && exit_status != 130) draw(folder);
+  return exit_status;
+}
+
+} // namespace swarf

@@ -1,0 +1,22 @@
+// One run of a deck: the loop over time, what is written when, how it ends.
+#pragma once
+#include <string>
+
+namespace swarf {
+
+struct RunOptions {
+  std::string deck;       // file
+  std::string output;     // folder; empty: results/<name of the deck file>
+  bool resume = false;    // continue from the folder's checkpoint
+  bool pictures = true;   // draw them at the end
+  long stop_after = 0;    // steps; 0: the deck's end. For trials of large scenes
+};
+
+// Exit status: 0 done, 3 the computation became unstable (last frame and checkpoint written), 130 interrupted
+// (checkpoint written). Throws DeckError, ResultsError. Kokkos must be initialised.
+int run_deck(const RunOptions& options);
+
+// "results/<stem of the deck file>"
+std::string default_output(const std::string& deck_file);
+
+} // namespace swarf

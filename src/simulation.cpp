@@ -1,0 +1,116 @@
+#include "src/simulation.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace swarf {
+namespace {
+
+// Made anew in each step: fields move when a rebuild needs room for more images.
+Motion motion_of(const Particles& p) {
+  return {p.count, p.position, p.velocity, p.force, p.points.mass, p.external_work, p.constraints};
+}
+Motion motion_of(const HexMesh& m) {
+  return {m.nodes, m.position, m.velocity, m.force, m.mass, m.external_work, m.constraints};
+}
+
+} // namespace
+
+ContactPoints contact_points_of(const Particles& p) {
+  return {p.count,          p.position,           p.velocity,       p.points.mass,   p.contact_gap,
+          p.contact_area,   p.force,              p.friction_force, p.contact_force, p.friction_work,
+          p.contact_energy, p.points.temperature, p.points.material};
+}
+ContactPoints contact_points_of(const HexMesh& m) {
+  return {m.nodes,          m.position,    m.velocity,       m.mass,          m.contact_gap,
+          m.contact_area,   m.force,       m.friction_force, m.contact_force, m.friction_work,
+          m.contact_energy, ScalarField(), IndexField()};
+}
+
+void Simulation::step() {
+  timer.restart();
+  kick_half();
+  move();
+  timer.mark("integrate");
+  if (lists_due) rebuild_lists();
+  follow_hexes_and_images();
+  update_rates_and_stresses();
+  compute_forces();
+  press_tool();
+  kick_half();
+  timer.mark("integrate");
+  ++steps;
+}
+
+void Simulation::kick_half() {
+  const Real half = Real(0.5 * step_size);
+  kick(motion_of(model.particles), model.constraints, gravity, Real(mass_factor), half);
+  kick(motion_of(model.hexes), model.constraints, gravity, Real(mass_factor), half);
+  couple_nodes(model.hexes, model.node_transforms, false);
+}
+
+void Simulation::move() {
+  drift(motion_of(model.particles), Real(step_size));
+  drift(motion_of(model.hexes), Real(step_size));
+  now += step_size; // the tool's pose is a function of time
+}
+
+void Simulation::rebuild_lists() {
+  wrap_periodic(model.particles, model.image_planes, status);
+  sort_particles(model.particles, lists.cutoff / 4);
+  project_tie(model.tie, model.particles, model.hexes);
+  make_images(model.particles, lists, model.image_planes);
+  find_neighbors(lists, model.particles);
+  lists_due = false;
+  ++rebuild_count;
+  timer.mark("neighbours");
+}
+
+void Simulation::follow_hexes_and_images() {
+  project_tie(model.tie, model.particles, model.hexes);
+  update_images(model.particles, lists, model.image_planes);
+  timer.mark("tie and images");
+}
+
+void Simulation::update_rates_and_stresses() {
+  const Real dt = Real(step_size);
+  velocity_gradient(model.particles, lists, particle_method);
+  timer.mark("velocity gradient");
+  if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles, dt);
+  hex_velocity_gradient(model.hexes, status);
+  timer.mark("hexes");
+  update_stress(model.particles.points, model.materials, dt, status);
+  if (deck.particles.density == "summation") sum_density(model.particles, lists, model.materials);
+  update_stress(model.hexes.points, model.materials, dt, status);
+  delete_hexes(model.hexes, hex_method);
+  timer.mark("stress");
+}
+
+void Simulation::compute_forces() {
+  const Real dt = Real(step_size);
+  prepare_pair_state(model.particles, model.materials, particle_method);
+  project_tie_state(model.tie, model.particles, model.hexes, model.materials, Real(mass_factor));
+  update_image_state(model.particles, lists, model.image_planes);
+  timer.mark("tie and images");
+  particle_forces(model.particles, lists, particle_method, dt);
+  timer.mark("particle forces");
+  hex_forces(model.hexes, model.materials, hex_method, dt);
+  gather_corner_forces(model.hexes);
+  timer.mark("hexes");
+  gather_tie_forces(model.tie, model.particles, model.hexes);
+  timer.mark("tie and images");
+}
+
+void Simulation::press_tool() {
+  const Real dt = Real(step_size);
+  if (deck.tool) {
+    const ToolPose where = pose();
+    for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)}) {
+      tool_contact(points, model.tool, where, contact_law, model.materials, Real(mass_factor), dt);
+      sum_tool_load(points, model.tool, where, dt, loads);
+    }
+  }
+  couple_nodes(model.hexes, model.node_transforms, true);
+  timer.mark("contact");
+}
+
+} // namespace swarf

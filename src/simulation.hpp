@@ -1,0 +1,82 @@
+// The model in time: one step, and what is looked at between steps.
+#pragma once
+#include "src/history.hpp"
+#include "src/phase_timer.hpp"
+#include "src/scene.hpp"
+#include "src/tool_geometry.hpp"
+#include "swarf/kernels.hpp"
+
+namespace swarf {
+
+class CheckpointWriter;
+class CheckpointReader;
+
+// The run has gone wrong: which fault, where, when. what() is a whole message.
+struct SimulationFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Simulation {
+ public:
+  explicit Simulation(const Deck& deck);
+
+  void start();                               // lists and forces of the initial state
+  void step();                                // the equations of one time step
+  void write_state(CheckpointWriter&) const;  // everything that the next step depends on
+  void read_state(const CheckpointReader&);   // instead of start()
+  // Reads the status, sets dt and rebuilds the lists if the particles may outrun the skin before the next call.
+  // Throws SimulationFault. Steps until it wants to be called again: steps_to_check().
+  void check();
+  long steps_to_check() const { return next_check - steps; }
+  // Energies, mean tool force since the last sample, extremes. The only copy from the device, with check().
+  HistorySample sample();
+
+  double time() const { return now; }
+  double immersion_deg() const { return deck.tool ? immersion(*deck.tool, now) : 0; }
+  long step_count() const { return steps; }
+  double dt() const { return step_size; }
+  long steps_this_run() const { return steps - first_step; }
+  // Particles whose centre is deeper in the tool than a quarter of the spacing: none, if the contact holds.
+  int leaked_particles() const;
+  long rebuilds() const { return rebuild_count; }
+  const std::string& limiter() const { return step_limiter; }
+  const Scene& scene() const { return model; }
+  const Neighbors& neighbors() const { return lists; }
+  ToolPose pose() const { return deck.tool ? tool_pose(*deck.tool, now) : ToolPose{}; }
+  PhaseTimer timer;
+
+ private:
+  void kick_half();
+  void move();
+  void rebuild_lists();
+  void follow_hexes_and_images();
+  void update_rates_and_stresses();
+  void compute_forces();
+  void press_tool();
+  StableStep limit_step();
+  [[noreturn]] void fail(unsigned long long status);
+
+  Deck deck;
+  Scene model;
+  Neighbors lists;
+  ParticleMethod particle_method;
+  HexMethod hex_method;
+  ContactLaw contact_law;
+  Vector3 gravity;
+  Status status;
+  ToolLoadSums loads;
+
+  double now = 0, step_size = 0, mass_factor = 1;
+  long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
+  long steps_at_sample = 0;
+  bool lists_due = false;
+  double initial_energy = 0;
+  double tool_work = 0;
+  std::string step_limiter;
+};
+
+// Views of the fields that the tool touches. Made anew in each step: fields move when images need room.
+ContactPoints contact_points_of(const Particles&);
+ContactPoints contact_points_of(const HexMesh&);
+
+} // namespace swarf

@@ -1,0 +1,217 @@
+// Everything about a Simulation that is not the step: construction, checks, samples, checkpoints.
+#include "src/simulation.hpp"
+#include "src/write_hdf5.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace swarf {
+namespace {
+
+Vector3 to_vector(const Triple& t) { return {Real(t[0]), Real(t[1]), Real(t[2])}; }
+
+ParticleMethod particle_method_of(const Deck& deck) {
+  ParticleMethod m;
+  m.correction = deck.particles.correction;
+  m.reconstruct_viscosity = deck.particles.viscosity_form == "reconstructed";
+  m.viscosity_linear = Real(deck.particles.viscosity_linear);
+  m.viscosity_quadratic = Real(deck.particles.viscosity_quadratic);
+  m.artificial_stress = Real(deck.particles.artificial_stress);
+  m.artificial_stress_exponent = int(std::lround(deck.particles.artificial_stress_exponent));
+  m.spacing_ratio = Real(1 / deck.particles.smoothing_ratio);
+  m.mass_factor = Real(deck.run.mass_factor);
+  return m;
+}
+
+HexMethod hex_method_of(const Deck& deck) {
+  HexMethod m;
+  m.hourglass =
+      deck.hexes.hourglass == "viscous" ? HourglassControl::viscous : HourglassControl::stiffness;
+  m.hourglass_coefficient = Real(deck.hexes.hourglass_coefficient);
+  m.viscosity_linear = Real(deck.hexes.viscosity_linear);
+  m.viscosity_quadratic = Real(deck.hexes.viscosity_quadratic);
+  m.delete_failed = deck.hexes.delete_failed;
+  m.delete_at_strain = Real(deck.hexes.delete_at_strain.value_or(0));
+  m.mass_factor = Real(deck.run.mass_factor);
+  return m;
+}
+
+// Rows that a checkpoint keeps: images are made again.
+template <class Field>
+Field first_rows(const Field& field, int rows) {
+  if (int(field.extent(0)) <= rows) return field;
+  Field copy = Kokkos::create_mirror(ExecSpace::memory_space{}, field);
+  Kokkos::deep_copy(copy, field);
+  Kokkos::resize(copy, rows);
+  return copy;
+}
+
+} // namespace
+
+Simulation::Simulation(const Deck& from)
+    : deck(from), model(build_scene(from)), particle_method(particle_method_of(from)),
+      hex_method(hex_method_of(from)), gravity(to_vector(from.run.gravity)), status("status"),
+      mass_factor(from.run.mass_factor) {
+  contact_law.friction = Real(deck.contact.friction);
+  contact_law.shear_limit = Real(deck.contact.shear_limit.value_or(0));
+  contact_law.stiffness = Real(deck.contact.stiffness);
+  contact_law.heat_to_workpiece = Real(deck.contact.heat_to_workpiece);
+  lists.cutoff = Real(model.cutoff), lists.skin = Real(model.skin);
+  loads = make_tool_load_sums(std::max(model.particles.count, model.hexes.nodes));
+  Kokkos::deep_copy(status, no_fault);
+}
+
+void Simulation::start() {
+  rebuild_lists();
+  step_size = 0; // rates and forces of the initial state; nothing moves, no history is made
+  follow_hexes_and_images();
+  update_rates_and_stresses();
+  compute_forces();
+  steps = steps_at_sample = 0;
+  check();
+  const PointSums a = sum_particles(model.particles, Real(mass_factor));
+  const PointSums b = sum_hexes(model.hexes, Real(mass_factor));
+  initial_energy = double(a.kinetic) + b.kinetic;
+}
+
+StableStep Simulation::limit_step() {
+  const StableStep of_particles =
+      stable_step(model.particles, lists, model.materials, Real(mass_factor));
+  StableStep of_hexes = stable_step(model.hexes, model.materials, Real(mass_factor));
+  const bool hexes_limit =
+      of_hexes.limiter >= 0 && (of_particles.limiter < 0 || of_hexes.dt < of_particles.dt);
+  step_limiter = fmt::format("{} {}", hexes_limit ? "hex" : "particle",
+                             hexes_limit ? of_hexes.limiter : of_particles.limiter);
+  of_hexes.max_displacement = of_particles.max_displacement;
+  return hexes_limit ? of_hexes : of_particles;
+}
+
+void Simulation::check() {
+  timer.restart();
+  const auto seen = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, status);
+  if (seen() != no_fault) fail(seen());
+  const StableStep limit = limit_step();
+  step_size = deck.run.courant * double(limit.dt);
+  const double room = 0.5 * double(lists.skin) - double(limit.max_displacement);
+  if (model.particles.count > 0 && room < 0)
+    fail((static_cast<unsigned long long>(Fault::skin_exceeded) << 32) + unsigned(limit.limiter));
+  const double speed = double(std::max(sum_particles(model.particles, Real(mass_factor)).max_speed,
+                                       sum_hexes(model.hexes, Real(mass_factor)).max_speed));
+  // Twice the present speed is allowed for until the next look.
+  const double reach = 2 * speed * step_size;
+  const double whole = 0.5 * double(lists.skin);
+  long interval = deck.output.history_steps;
+  if (model.particles.count > 0 && reach * interval > 0.5 * whole)
+    interval = std::max(1L, long(0.5 * whole / reach));
+  lists_due = model.particles.count > 0 && room < reach * double(interval);
+  next_check = steps + interval;
+  timer.mark("checks");
+}
+
+HistorySample Simulation::sample() {
+  timer.restart();
+  const PointSums a = sum_particles(model.particles, Real(mass_factor));
+  const PointSums b = sum_hexes(model.hexes, Real(mass_factor));
+  HistorySample s;
+  s.time = now, s.immersion = immersion_deg(), s.step = double(steps), s.dt = step_size;
+  s.kinetic = double(a.kinetic) + b.kinetic;
+  s.plastic = double(a.plastic) + b.plastic;
+  s.elastic = double(a.internal) + b.internal - s.plastic;
+  s.frictional = double(a.friction) + b.friction;
+  s.viscous = double(a.viscous) + b.viscous;
+  s.hourglass = double(a.hourglass) + b.hourglass;
+  s.contact = double(a.contact) + b.contact;
+  const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
+  tool_work += load.work;
+  s.external = double(a.external) + b.external + tool_work;
+  s.residual = s.kinetic + s.elastic + s.plastic + s.frictional + s.viscous + s.hourglass + s.contact -
+               initial_energy - s.external;
+  const double taken = std::max(1.0, double(steps - steps_at_sample));
+  const double scale = deck.output.force_scale / taken;
+  s.force = {scale * load.force.x, scale * load.force.y, scale * load.force.z};
+  s.torque = scale * load.moment.z;
+  for (int k = 0; k < max_teeth; ++k)
+    s.tooth_force[k] = {scale * load.tooth_force[k].x, scale * load.tooth_force[k].y,
+                        scale * load.tooth_force[k].z};
+  s.particles_in_contact = load.contacts / taken;
+  s.max_temperature = double(std::max(a.max_temperature, b.max_temperature));
+  s.max_plastic_strain = double(std::max(a.max_plastic_strain, b.max_plastic_strain));
+  s.max_velocity = double(std::max(a.max_speed, b.max_speed));
+  Kokkos::deep_copy(loads.total, ToolLoad{});
+  steps_at_sample = steps;
+  timer.mark("samples");
+  return s;
+}
+
+int Simulation::leaked_particles() const {
+  if (!deck.tool || model.particles.count == 0) return 0;
+  ContactPoints points = contact_points_of(model.particles);
+  return count_points_inside(points, model.tool, pose(), Real(0.25 * model.spacing));
+}
+
+void Simulation::fail(unsigned long long code) {
+  const auto fault = static_cast<Fault>(code >> 32);
+  const unsigned row = unsigned(code & 0xffffffffu);
+  const char* what = fault == Fault::non_finite       ? "a state that is not a finite number"
+                     : fault == Fault::inverted_hex   ? "a hex turned inside out"
+                     : fault == Fault::return_mapping ? "a plastic return that did not converge"
+                     : fault == Fault::particle_lost  ? "a particle that left its periodic body"
+                                                      : "particles that outran the neighbour lists";
+  throw SimulationFault(fmt::format("the run became unstable: {} (row {}) at t = {:.6g} s, step {}. "
+                                    "Try a smaller run.courant or run.mass_factor.",
+                                    what, row, now, steps));
+}
+
+void Simulation::write_state(CheckpointWriter& out) const {
+  Particles p = model.particles; // Views: shallow
+  HexMesh m = model.hexes;
+  const int rows = p.count + p.tied;
+  p.for_each_field([&](const std::string& name, auto& field) {
+    out.put("particles/" + name, first_rows(field, rows));
+  });
+  m.for_each_field([&](const std::string& name, auto& field) { out.put("hexes/" + name, field); });
+  out.put("lists/build_position", first_rows(lists.build_position, rows));
+  const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
+  const Real* values = reinterpret_cast<const Real*>(&load);
+  out.put("tool_load", std::vector<Real>(values, values + sizeof(ToolLoad) / sizeof(Real)));
+  out.put("time", now), out.put("step_size", step_size), out.put("steps", steps);
+  out.put("next_check", next_check), out.put("rebuild_count", rebuild_count);
+  out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
+  out.put("initial_energy", initial_energy), out.put("tool_work", tool_work);
+}
+
+void Simulation::read_state(const CheckpointReader& in) {
+  Particles& p = model.particles;
+  const auto read = [&](const std::string& name, auto& field) {
+    auto stored = std::decay_t<decltype(field)>();
+    in.get(name, stored);
+    if (stored.extent(0) > 0) Kokkos::deep_copy(field, stored);
+  };
+  // The lists are made again from the positions at which they were made, so that every sum keeps its order.
+  p.for_each_field([&](const std::string& name, auto& field) { read("particles/" + name, field); });
+  model.hexes.for_each_field([&](const std::string& name, auto& field) { read("hexes/" + name, field); });
+  VectorField built;
+  in.get("lists/build_position", built);
+  Kokkos::deep_copy(p.position, built);
+  make_images(p, lists, model.image_planes);
+  find_neighbors(lists, p);
+  VectorField current;
+  in.get("particles/position", current);
+  const auto rows = std::make_pair(0, p.count + p.tied);
+  Kokkos::deep_copy(Kokkos::subview(p.position, rows, Kokkos::ALL), current);
+
+  std::vector<Real> values;
+  in.get("tool_load", values);
+  ToolLoad load;
+  std::copy(values.begin(), values.end(), reinterpret_cast<Real*>(&load));
+  Kokkos::deep_copy(loads.total, load);
+  in.get("time", now), in.get("step_size", step_size), in.get("steps", steps);
+  in.get("next_check", next_check), in.get("rebuild_count", rebuild_count);
+  in.get("steps_at_sample", steps_at_sample);
+  first_step = steps;
+  int due = 0;
+  in.get("lists_due", due);
+  lists_due = due != 0;
+  in.get("initial_energy", initial_energy), in.get("tool_work", tool_work);
+}
+
+} // namespace swarf

@@ -1,0 +1,123 @@
+#include "src/summary.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+#include <sys/resource.h>
+
+namespace swarf {
+namespace {
+
+double mean_of_last_half(const HistoryTable& table, const std::string& column) {
+  const std::vector<double>& values = table.at(column);
+  const std::vector<double>& time = table.at("time");
+  double sum = 0;
+  long count = 0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (time[k] >= 0.5 * time.back()) sum += values[k], ++count;
+  return count > 0 ? sum / double(count) : 0;
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+double last(const std::vector<double>& values) { return values.empty() ? 0 : values.back(); }
+
+double memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * double(usage.ru_maxrss);
+}
+
+// Length along z and largest radius about z of each body: what a Taylor bar is measured by.
+Json shapes_of(const Deck& deck, const Scene& scene) {
+  std::vector<Triple> low(deck.bodies.size(), Triple{1e300, 1e300, 1e300}), high(deck.bodies.size(), {-1e300, -1e300, -1e300});
+  std::vector<double> radius(deck.bodies.size(), 0);
+  const auto grow = [&](int body, const Vector3& x, double margin) {
+    const std::array<double, 3> at{x.x, x.y, x.z};
+    for (int c = 0; c < 3; ++c) {
+      low[body][c] = std::min(low[body][c], at[c] - margin);
+      high[body][c] = std::max(high[body][c], at[c] + margin);
+    }
+    const Triple& centre = deck.bodies[body].origin;
+    radius[body] = std::max(radius[body], std::hypot(at[0] - centre[0], at[1] - centre[1]) + margin);
+  };
+  const auto x = host_copy(scene.particles.position), gap = host_copy(scene.particles.contact_gap);
+  const auto body = host_copy(scene.particles.body);
+  for (int i = 0; i < scene.particles.count; ++i) grow(body(i), load_vector(x, i), gap(i));
+  const auto node = host_copy(scene.hexes.position);
+  const auto corner = host_copy(scene.hexes.connectivity);
+  const auto hex_body = host_copy(scene.hex_body);
+  for (int e = 0; e < scene.hexes.points.count; ++e)
+    for (int a = 0; a < 8; ++a) grow(hex_body(e), load_vector(node, corner(e, a)), 0);
+  Json all;
+  for (std::size_t b = 0; b < deck.bodies.size(); ++b) {
+    Json one;
+    one.set("length_x", high[b][0] - low[b][0]).set("length_y", high[b][1] - low[b][1]);
+    one.set("length_z", high[b][2] - low[b][2]).set("largest_radius", radius[b]);
+    all.set(deck.bodies[b].name, one);
+  }
+  return all;
+}
+
+Json forces_of(const ResultsFolder& folder) {
+  const HistoryTable raw = read_history(folder.history()), filtered = read_history(folder.filtered_history());
+  Json forces;
+  forces.set("mean_force_x", mean_of_last_half(raw, "force_x"));
+  forces.set("mean_force_y", mean_of_last_half(raw, "force_y"));
+  forces.set("mean_force_z", mean_of_last_half(raw, "force_z"));
+  forces.set("filtered_planar_peak", largest(filtered.at("force_planar")));
+  forces.set("filtered_planar_mean", mean_of_last_half(filtered, "force_planar"));
+  return forces;
+}
+
+Json energies_of(const ResultsFolder& folder) {
+  const HistoryTable raw = read_history(folder.history());
+  Json energies;
+  double total = 0;
+  for (const char* name : {"kinetic", "elastic", "plastic", "frictional", "viscous", "hourglass", "contact", "tie"}) {
+    energies.set(name, last(raw.at(name)));
+    total += std::abs(last(raw.at(name)));
+  }
+  energies.set("external", last(raw.at("external"))).set("residual", last(raw.at("residual")));
+  // A body that is only slowed down does work on nothing: its initial energy is then the measure.
+  const double measure = std::max(std::abs(last(raw.at("external"))), raw.at("kinetic").front());
+  double worst = 0;
+  for (const double r : raw.at("residual")) worst = std::max(worst, std::abs(r));
+  energies.set("worst_residual_over_external", measure > 0 ? worst / measure : 0);
+  energies.set("viscous_share", total > 0 ? last(raw.at("viscous")) / total : 0);
+  return energies;
+}
+
+} // namespace
+
+void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulation& s, const std::string& ended,
+                   double seconds, int leaked) {
+  const Scene& scene = s.scene();
+  Json cost;
+  cost.set("wall_seconds", seconds).set("threads", ExecSpace().concurrency());
+  cost.set("particle_steps_per_second", double(scene.particles.count) * double(s.steps_this_run()) / seconds);
+  cost.set("peak_memory_bytes", memory_bytes());
+  for (const auto& [phase, time] : s.timer.totals()) cost.set("seconds: " + phase, time);
+  const HistoryTable raw = read_history(folder.history());
+  Json summary;
+  summary.set("title", deck.title).set("ended", ended).set("version", SWARF_VERSION);
+  summary.set("particles", scene.particles.count).set("tied_particles", scene.particles.tied);
+  summary.set("hexes", scene.hexes.points.count).set("nodes", scene.hexes.nodes);
+  summary.set("steps", s.step_count()).set("time", s.time()).set("dt", s.dt());
+  summary.set("list_rebuilds", s.rebuilds()).set("leaked_particles", leaked);
+  summary.set("hottest", largest(raw.at("max_temperature")));
+  summary.set("largest_plastic_strain", largest(raw.at("max_plastic_strain")));
+  summary.set("forces", forces_of(folder)).set("energies", energies_of(folder));
+  summary.set("shapes", shapes_of(deck, scene)).set("cost", cost);
+  write_file(folder.summary(), summary.text() + "\n");
+}
+
+void report(const Simulation& s, double seconds) {
+  fmt::print("{} steps in {:.1f} s, {} list rebuilds\n", s.step_count(), seconds, s.rebuilds());
+  for (const auto& [phase, time] : s.timer.totals())
+    fmt::print("  {:<18} {:8.2f} s {:5.1f} %\n", phase, time, 100 * time / seconds);
+}
+
+} // namespace swarf
