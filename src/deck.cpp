@@ -143,13 +143,11 @@ void DeckReader::read_top() {
 }
 
 void DeckReader::read_materials() {
-  for (auto&& [name, node] : find_section("material")) {
+  const toml::table& materials = find_section("material");
+  for (auto&& [name, node] : materials) {
     const std::string path = fmt::format("material.{}", name.str());
     const toml::table* table = node.as_table();
-    if (!table) {
-      report.add(node, path, "a material has a name: write its keys under [material.NAME]");
-      continue;
-    }
+    if (!table) return report.add(materials, "material", "a material has a name: write [material.NAME]");
     MaterialDeck material{};
     material.name = name.str();
     const std::size_t before = report.count();
@@ -210,13 +208,17 @@ void DeckReader::read_bodies() {
 void DeckReader::read_tool() {
   if (root.contains("tool")) {
     const toml::table& table = find_section("tool");
+    if (&table == &empty) return; // reported
     ToolDeck tool;
     const std::size_t before = report.count();
     read_keys(table, "tool", tool_keys(), tool, report);
     if (report.count() == before) check_tool(tool, table, deck.file, report);
     deck.tool = tool;
-    const toml::table& contact = find_section("contact");
-    read_keys(&contact == &empty ? table : contact, "contact", contact_keys(), deck.contact, report);
+    if (root.contains("contact"))
+      read_keys(find_section("contact"), "contact", contact_keys(), deck.contact, report);
+    else
+      report.add(table, "contact",
+                 "is missing: the friction of the tool has no default. Write [contact] and friction");
   } else if (const toml::node* contact = root.get("contact")) {
     report.add(*contact, "contact", "there is no [tool] to touch. Remove this section or add a tool");
   }
@@ -273,8 +275,8 @@ std::string read_text(const std::string& file) {
     throw DeckError(file + ": cannot read the deck: this is a folder. Give the path of a TOML file.");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || text.fail() || in.bad())
+  if (in && in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+  if (!in.is_open() || in.bad() || text.fail())
     throw DeckError(fmt::format("{}: cannot read the deck: {}. Give the path of a TOML file.", file,
                                 std::strerror(errno)));
   return text.str();
@@ -288,9 +290,11 @@ Deck read_deck(const std::string& file) {
     const toml::table table = toml::parse(text, file);
     return DeckReader(file, table).read();
   } catch (const toml::parse_error& error) {
+    const std::string description(error.description());
+    const bool is_after_value = description.find("expected a comment or whitespace") != std::string::npos;
+    const std::string advice = is_after_value ? " Values with units are text in quotes: \"10 um\"." : "";
     throw DeckError(
-        fmt::format("{}:{}: this is not TOML: {}. Values with units are text in quotes: \"10 um\".", file,
-                    error.source().begin.line, error.description()));
+        fmt::format("{}:{}: this is not TOML: {}.{}", file, error.source().begin.line, description, advice));
   }
 }
 

@@ -219,9 +219,14 @@ void check_tool(ToolDeck& tool, const toml::table& table, const std::string& dec
     report.add(find_place(table, "edge_radius"), "tool.edge_radius",
                fmt::format("expected less than the mill's radius of {} m, got {} m", tool.diameter / 2,
                            tool.edge_radius));
-  if (tool.kind == "wedge" && tool.edge_radius >= tool.height)
-    report.add(find_place(table, "edge_radius"), "tool.edge_radius",
-               fmt::format("expected less than height = {} m, got {} m", tool.height, tool.edge_radius));
+  if ((tool.kind == "end_mill" || tool.kind == "wedge") && tool.rake + tool.clearance >= whole_turn / 4)
+    report.add(find_place(table, "clearance"), "tool.clearance",
+               "rake and clearance leave nothing of the tool: together they must be less than 90 deg");
+  const double edge_height = tool.edge_radius * (1 + std::sin(tool.rake));
+  if (tool.kind == "wedge" && edge_height >= tool.height)
+    report.add(find_place(table, "height"), "tool.height",
+               fmt::format("expected more than the {} m that the rounded edge takes, got {} m", edge_height,
+                           tool.height));
   if (tool.kind == "wedge" && tool.velocity == Triple{})
     report.add(find_place(table, "velocity"), "tool.velocity",
                "a wedge must move. Give one component a speed");

@@ -134,7 +134,7 @@ void DeckReport::throw_if_any() const {
 }
 
 std::string suggest(const std::string& word, const std::vector<std::string>& candidates) {
-  std::size_t best = std::max<std::size_t>(word.size() / 3, 1) + 1;
+  std::size_t best = std::min(std::max<std::size_t>(word.size() / 3, 2) + 1, word.size());
   std::string nearest;
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);
