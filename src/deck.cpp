@@ -1,5 +1,6 @@
 #include "src/deck.hpp"
 #include "src/deck_checks.hpp"
+#include "src/deck_section.hpp"
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -13,80 +14,6 @@ namespace {
 
 const std::vector<std::string> section_names = {"material",  "body",  "tool", "contact",
                                                 "particles", "hexes", "run",  "output"};
-
-template <class Section>
-std::vector<std::string> list_names(const Keys<Section>& keys) {
-  std::vector<std::string> names;
-  for (const auto& key : keys) names.push_back(key.name);
-  return names;
-}
-
-template <class Section>
-std::string describe_condition(const Keys<Section>& keys, const std::string& name, const Section& section) {
-  for (const auto& key : keys) {
-    if (key.name != name) continue;
-    for (const Condition& condition : key.when) {
-      const std::string* text = text_of(keys, condition.key, section);
-      const auto& wanted = condition.values;
-      if (text && std::find(wanted.begin(), wanted.end(), *text) == wanted.end())
-        return fmt::format("does not apply to {} = \"{}\". Remove it", condition.key, *text);
-    }
-  }
-  return "does not apply here. Remove it";
-}
-
-// Reads one value, or its default, into the field of the key. Returns what is wrong.
-template <class Section>
-std::string fill_field(const toml::node& node, const Key<Section>& key, Section& section) {
-  return std::visit(
-      [&](auto field) -> std::string {
-        if constexpr (std::is_same_v<decltype(field), std::monostate>)
-          return ""; // read by its own code
-        else
-          return read_value(node, {key.name, key.dimension, key.allowed}, section.*field);
-      },
-      key.field);
-}
-
-// Keys that others depend on (shape, law, kind) stand first in their table, so one pass suffices.
-template <class Section>
-void read_keys(const toml::table& table, const std::string& path, const Keys<Section>& keys, Section& section,
-               DeckReport& report) {
-  const std::vector<std::string> names = list_names(keys);
-  for (auto&& [name, node] : table)
-    if (std::find(names.begin(), names.end(), name.str()) == names.end())
-      report.add(int(name.source().begin.line), fmt::format("{}.{}", path, name.str()),
-                 "is not a known key." + suggest(std::string(name.str()), names));
-  std::vector<std::string> used;
-  for (const auto& key : keys) {
-    if (!applies(keys, key, section)) continue;
-    used.push_back(key.name);
-    const std::string place = path + "." + key.name;
-    if (const toml::node* node = table.get(key.name)) {
-      const std::string error = fill_field(*node, key, section);
-      if (!error.empty()) report.add(*node, place, error);
-      const bool decides = std::any_of(keys.begin(), keys.end(), [&](const auto& other) {
-        return std::any_of(other.when.begin(), other.when.end(),
-                           [&](const auto& c) { return c.key == key.name; });
-      });
-      if (decides && !error.empty()) return; // what else applies is not known
-    } else if (key.value == "required") {
-      report.add(table, place,
-                 fmt::format("is missing. Expected {}: {}", describe_expected(key.dimension, key.allowed),
-                             key.help));
-    } else if (key.value != "optional") {
-      const toml::table text = toml::parse("value = " + key.value);
-      const std::string error = fill_field(*text.get("value"), key, section);
-      if (!error.empty()) throw std::logic_error("default of " + place + ": " + error);
-    }
-  }
-  for (const auto& name : names)
-    if (const toml::node* node = table.get(name);
-        node && std::find(used.begin(), used.end(), name) == used.end()) {
-      used.push_back(name); // a key may have several rows
-      report.add(*node, path + "." + name, describe_condition(keys, name, section));
-    }
-}
 
 class DeckReader {
  public:
@@ -121,14 +48,10 @@ const toml::table& DeckReader::find_section(const std::string& name) {
 }
 
 void DeckReader::read_top() {
-  toml::table keys;
   for (auto&& [name, node] : root) {
     const std::string word(name.str());
-    if (std::find(section_names.begin(), section_names.end(), word) != section_names.end()) continue;
-    if (word == "title") {
-      keys.insert("title", node);
+    if (std::find(section_names.begin(), section_names.end(), word) != section_names.end() || word == "title")
       continue;
-    }
     std::vector<std::string> known = section_names;
     known.push_back("title");
     const std::string what = node.is_table() || node.is_array_of_tables() ? "section" : "key";
@@ -137,8 +60,7 @@ void DeckReader::read_top() {
   }
   const auto& title = top_keys().front();
   const toml::node* node = root.get("title");
-  const toml::table text = toml::parse("title = " + title.value);
-  const std::string error = fill_field(node ? *node : *text.get("title"), title, deck);
+  const std::string error = node ? fill_field(*node, title, deck) : fill_default(title, deck);
   if (!error.empty()) report.add(*node, "title", error);
 }
 

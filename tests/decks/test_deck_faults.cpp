@@ -139,6 +139,8 @@ const std::vector<DeckFault> faults = {
           {"Did you mean \"johnson_cook\"?"}),
     fault("unknown_shape", "\"ring\"", "\"torus\"", "body.shape",
           {"expected \"block\" or \"cylinder\"", "got \"torus\""}),
+    fault("missing_shape", "shape = \"ring\"\n", "", "body.shape", {"is missing", "\"ring\""}, "[[body]]"),
+    fault("title_is_a_number", "\"a mill and a ring\"", "5", "title", {"expected text in quotes, got 5"}),
     fault("unknown_tool", "\"end_mill\"", "\"drill\"", "tool.kind",
           {"\"end_mill\" or \"wedge\" or \"wall\" or \"stl\""}),
     fault("key_of_another_shape", "spacing = ", "radius = \"1 mm\"\nspacing = ", "body.radius",
