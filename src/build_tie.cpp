@@ -1,0 +1,184 @@
+#include "src/build_tie.hpp"
+#include "src/box_grid.hpp"
+#include "src/isoparametric.hpp"
+#include "src/upload.hpp"
+#include "swarf/z_order.hpp"
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+
+namespace swarf {
+namespace {
+
+std::array<Point, 8> corners_of(const HexSet& hexes, int hex) {
+  std::array<Point, 8> x;
+  for (int a = 0; a < 8; ++a) x[a] = hexes.node[hexes.hex[hex][a]];
+  return x;
+}
+
+// Finds the hex that holds a point.
+class HexFinder {
+public:
+  explicit HexFinder(const HexSet& set) : hexes(set), grid(make_boxes(set)) {}
+  bool find(TiedPoint& point) const {
+    bool found = false;
+    grid.find(point.position, [&](int hex) {
+      const auto N = locate_in_hex(corners_of(hexes, hex), point.position);
+      if (N) point.host = hex, point.shape = *N, found = true;
+      return found;
+    });
+    return found;
+  }
+
+private:
+  const HexSet& hexes;
+  BoxGrid grid;
+
+  static std::vector<BoxGrid::Box> make_boxes(const HexSet& set) {
+    std::vector<BoxGrid::Box> boxes(set.hex.size());
+    for (std::size_t h = 0; h < boxes.size(); ++h)
+      for (const Point& x : corners_of(set, int(h))) boxes[h].extend(x);
+    // Points on a face belong to a hex in spite of round-off.
+    for (BoxGrid::Box& b : boxes) b.min() -= 1e-9 * b.sizes(), b.max() += 1e-9 * b.sizes();
+    return boxes;
+  }
+};
+
+// Finds the nearest of the faces that touch particles.
+class FaceFinder {
+public:
+  FaceFinder(const HexSet& set, std::vector<SurfaceQuad> faces, double radius)
+      : hexes(set), quads(std::move(faces)), reach(radius), grid(make_boxes()) {}
+  void find(TiedPoint& point) const {
+    Best best;
+    grid.find(point.position, [&](int q) { return improve(best, q, point.position), false; });
+    // The cell lists all faces within reach; farther ones need a look at every face.
+    if (best.at.distance > reach)
+      for (int q = 0; q < int(quads.size()); ++q) improve(best, q, point.position);
+    point.face_nodes = quads[best.quad].node;
+    point.face_shape = best.at.shape;
+  }
+
+private:
+  struct Best {
+    NearestOnQuad at{{}, std::numeric_limits<double>::infinity()};
+    int quad = -1;
+  };
+  const HexSet& hexes;
+  std::vector<SurfaceQuad> quads;
+  double reach;
+  BoxGrid grid;
+
+  void improve(Best& best, int q, const Point& x) const {
+    const NearestOnQuad at = nearest_on_quad(swarf::corners_of(hexes, quads[q]), x);
+    if (at.distance < best.at.distance) best = {at, q};
+  }
+  std::vector<BoxGrid::Box> make_boxes() const {
+    std::vector<BoxGrid::Box> boxes(quads.size());
+    for (std::size_t q = 0; q < boxes.size(); ++q) {
+      for (const Point& x : swarf::corners_of(hexes, quads[q])) boxes[q].extend(x);
+      boxes[q].min().array() -= reach, boxes[q].max().array() += reach;
+    }
+    return boxes;
+  }
+};
+
+// Another body of particles is there, or is tied to the same hexes and nearer: its own lattice goes on there.
+bool belongs_to_other(const std::vector<FilledBody>& bodies, int row, const Point& x) {
+  const double own = bodies[row].shape.signed_distance(x);
+  for (int b = 0; b < int(bodies.size()); ++b) {
+    if (b == row || !bodies[b].has_particles()) continue;
+    const double other = bodies[b].shape.signed_distance(x);
+    const bool nearer = other < own || (other == own && b < row);
+    if (other < 0 || (nearer && bodies[b].deck->tie == bodies[row].deck->tie)) return true;
+  }
+  return false;
+}
+
+void sort_along_curve(std::vector<TiedPoint>& points, double cell) {
+  Eigen::AlignedBox3d box;
+  for (const TiedPoint& p : points) box.extend(p.position);
+  const ZGrid grid{to_vector3(box.min()), Real(cell)};
+  std::stable_sort(points.begin(), points.end(), [&](const TiedPoint& a, const TiedPoint& b) {
+    return grid.key(to_vector3(a.position)) < grid.key(to_vector3(b.position));
+  });
+}
+
+} // namespace
+
+bool touches_particles(const HexSet& hexes, const SurfaceQuad& quad, const FilledBody& particles) {
+  const auto x = corners_of(hexes, quad);
+  const Point centre = 0.25 * (x[0] + x[1] + x[2] + x[3]);
+  // Farther out than the chords of a mesh lie inside of its arcs.
+  const Point step = 0.25 * particles.points.spacing * area_of(hexes, quad).normalized();
+  if (particles.shape.signed_distance(centre + step) < 0) return true;
+  return std::any_of(x.begin(), x.end(), [&](const Point& corner) {
+    return particles.shape.signed_distance(0.5 * (centre + corner) + step) < 0;
+  });
+}
+
+std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<FilledBody>& bodies, int row,
+                                         double reach) {
+  const FilledBody& body = bodies[row];
+  const auto host = std::find_if(bodies.begin(), bodies.end(), [&](const FilledBody& b) {
+    return b.deck->name == body.deck->tie && !b.has_particles();
+  });
+  if (host == bodies.end())
+    reject(deck, *body.deck, "tie", fmt::format("is tied to \"{}\", which is no body of hexes", body.deck->tie));
+  std::vector<SurfaceQuad> faces;
+  for (const SurfaceQuad& quad : find_surface(host->hexes))
+    if (touches_particles(host->hexes, quad, body)) faces.push_back(quad);
+
+  const double pitch = 2 * *std::min_element(body.points.gap.begin(), body.points.gap.end());
+  const int layers = int(std::ceil(reach / pitch));
+  const PointSet around = continue_points(body.shape, layers);
+  const HexFinder finder(host->hexes);
+  std::vector<TiedPoint> points;
+  for (std::size_t k = 0; k < around.position.size(); ++k) {
+    TiedPoint p;
+    p.position = around.position[k], p.volume = around.volume[k], p.body = row;
+    if (finder.find(p) && !belongs_to_other(bodies, row, p.position)) points.push_back(p);
+  }
+  if (points.empty() || faces.empty())
+    reject(deck, *body.deck, "tie",
+           fmt::format("does not touch \"{}\": expected a common face. Move or enlarge one of the two", host->deck->name));
+  const FaceFinder nearest(host->hexes, faces, 2 * layers * pitch);
+  for (TiedPoint& p : points) {
+    nearest.find(p);
+    p.host += host->first_hex;
+    for (int& node : p.face_nodes) node += host->first;
+  }
+  sort_along_curve(points, 2 * pitch);
+  return points;
+}
+
+Tie make_tie(const std::vector<TiedPoint>& points) {
+  Tie tie;
+  const int n = tie.count = int(points.size());
+  tie.host = upload<IndexField>("tie.host", n, [&](auto& f, int k) { f(k) = points[k].host; });
+  tie.shape = upload<View<Real* [8]>>("tie.shape", n, [&](auto& f, int k) {
+    for (int a = 0; a < 8; ++a) f(k, a) = Real(points[k].shape[a]);
+  });
+  tie.face_nodes = upload<View<int* [4]>>("tie.face_nodes", n, [&](auto& f, int k) {
+    for (int a = 0; a < 4; ++a) f(k, a) = points[k].face_nodes[a];
+  });
+  tie.face_shape = upload<View<Real* [4]>>("tie.face_shape", n, [&](auto& f, int k) {
+    for (int a = 0; a < 4; ++a) f(k, a) = Real(points[k].face_shape[a]);
+  });
+  std::map<int, std::vector<int>> entries; // node -> 4 k + corner
+  for (int k = 0; k < n; ++k)
+    for (int a = 0; a < 4; ++a) entries[points[k].face_nodes[a]].push_back(4 * k + a);
+  std::vector<int> nodes, start{0}, entry;
+  for (const auto& [node, of_node] : entries) {
+    nodes.push_back(node);
+    entry.insert(entry.end(), of_node.begin(), of_node.end());
+    start.push_back(int(entry.size()));
+  }
+  tie.row_node = upload("tie.row_node", nodes);
+  tie.start = upload("tie.start", start);
+  tie.entry = upload("tie.entry", entry);
+  return tie;
+}
+
+} // namespace swarf

@@ -1,0 +1,133 @@
+#include "src/scene.hpp"
+#include "src/scene_parts.hpp"
+#include "src/tool_geometry.hpp"
+#include "src/upload.hpp"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace swarf {
+
+Material make_material(const MaterialDeck& deck) {
+  Material m;
+  m.density = Real(deck.density);
+  m.bulk_modulus = Real(deck.youngs_modulus / (3 * (1 - 2 * deck.poissons_ratio)));
+  m.shear_modulus = Real(deck.youngs_modulus / (2 * (1 + deck.poissons_ratio)));
+  m.specific_heat = Real(deck.specific_heat), m.taylor_quinney = Real(deck.taylor_quinney);
+  if (deck.law == "linear_hardening") {
+    m.law = FlowLaw::linear_hardening;
+    m.yield_stress = Real(deck.yield_stress), m.hardening_modulus = Real(deck.hardening_modulus);
+  } else if (deck.law == "johnson_cook") {
+    m.law = FlowLaw::johnson_cook;
+    m.A = Real(deck.A), m.B = Real(deck.B), m.n = Real(deck.n), m.C = Real(deck.C), m.m = Real(deck.m);
+    m.reference_rate = Real(deck.reference_rate);
+    m.reference_temperature = Real(deck.reference_temperature), m.melt_temperature = Real(deck.melt_temperature);
+  }
+  if (deck.damage) {
+    const auto& D = *deck.damage;
+    m.damage = {true, Real(D[0]), Real(D[1]), Real(D[2]), Real(D[3]), Real(D[4])};
+  }
+  return m;
+}
+
+namespace {
+
+std::vector<FilledBody> fill_bodies(const Deck& deck) {
+  std::vector<Shape> shapes; // all counts are checked before the first body is filled
+  for (const BodyDeck& body : deck.bodies) shapes.push_back(make_shape(deck, body));
+  std::vector<FilledBody> bodies;
+  int particles = 0, nodes = 0, hexes = 0;
+  for (std::size_t row = 0; row < deck.bodies.size(); ++row) {
+    const BodyDeck& body = deck.bodies[row];
+    FilledBody filled;
+    filled.deck = &body, filled.row = int(row), filled.shape = shapes[row];
+    const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                       [&](const MaterialDeck& m) { return m.name == body.material; });
+    if (material == deck.materials.end())
+      reject(deck, body, "material", fmt::format("has no [material.{}]. Add it", body.material));
+    filled.material = int(material - deck.materials.begin());
+    if (filled.has_particles()) {
+      filled.points = fill_points(filled.shape), filled.first = particles;
+      if (filled.points.position.empty()) reject(deck, body, "spacing", "holds no particle. Make it smaller");
+    } else {
+      filled.hexes = fill_hexes(filled.shape), filled.first = nodes, filled.first_hex = hexes;
+    }
+    particles += int(filled.points.position.size());
+    nodes += int(filled.hexes.node.size()), hexes += int(filled.hexes.hex.size());
+    bodies.push_back(std::move(filled));
+  }
+  return bodies;
+}
+
+// Particles sharing a plane's images need the largest support of all.
+double largest_smoothing_length(const Deck& deck, const std::vector<FilledBody>& bodies) {
+  double largest = 0;
+  for (const FilledBody& b : bodies) largest = std::max(largest, deck.particles.smoothing_ratio * b.points.spacing);
+  return largest;
+}
+
+std::vector<TiedPoint> tie_bodies(const Deck& deck, const std::vector<FilledBody>& bodies, double reach) {
+  std::vector<TiedPoint> tied;
+  for (int row = 0; row < int(bodies.size()); ++row) {
+    if (!bodies[row].has_particles() || bodies[row].deck->tie.empty()) continue;
+    const auto points = place_tied_points(deck, bodies, row, reach);
+    tied.insert(tied.end(), points.begin(), points.end());
+  }
+  return tied;
+}
+
+void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& scene) {
+  const FacetSurface surface =
+      make_tool_surface(*deck.tool, std::filesystem::path(deck.file).parent_path().string());
+  for (const auto& f : surface.facets)
+    scene.tool_facets.push_back({surface.vertices[f[0]], surface.vertices[f[1]], surface.vertices[f[2]]});
+  double cell = 0; // largest, so that gaps and penetrations of a cell stay within reach
+  for (const FilledBody& b : bodies) {
+    const double share = b.shape.volume() / double(std::max<std::size_t>(1, b.hexes.hex.size()));
+    cell = std::max(cell, b.has_particles() ? b.points.spacing : scene.spacing > 0 ? 0.0 : std::cbrt(share));
+  }
+  scene.tool = build_tool(surface, *deck.tool, 2 * cell);
+}
+
+} // namespace
+
+Scene build_scene(const Deck& deck) {
+  if (deck.bodies.empty())
+    throw DeckError(fmt::format("{}: body: expected at least one [[body]], found none. Add one", deck.file));
+  const std::vector<FilledBody> bodies = fill_bodies(deck);
+  check_overlap(deck, bodies);
+
+  Scene scene;
+  const double support = 2 * largest_smoothing_length(deck, bodies);
+  scene.skin = deck.particles.skin * support;
+  scene.cutoff = support + scene.skin;
+  for (const FilledBody& b : bodies)
+    if (b.has_particles() && (scene.spacing == 0 || b.points.spacing < scene.spacing)) scene.spacing = b.points.spacing;
+
+  const Faces faces = collect_faces(deck, bodies, scene.cutoff);
+  const std::vector<TiedPoint> tied = tie_bodies(deck, bodies, scene.cutoff);
+  scene.materials = upload<MaterialTable>("materials", int(deck.materials.size()), [&](auto& f, int m) {
+    f(m) = make_material(deck.materials[m]);
+  });
+  scene.particles = make_particles(deck, bodies, tied, faces);
+  scene.hexes = make_hex_mesh(deck, bodies, faces);
+  std::vector<int> hex_body;
+  for (const FilledBody& b : bodies) hex_body.insert(hex_body.end(), b.hexes.hex.size(), b.row);
+  scene.hex_body = upload("hex_body", hex_body);
+  scene.tie = make_tie(tied);
+  scene.image_planes = faces.planes;
+  scene.node_transforms = upload<TransformTable>("node_transforms", int(faces.transforms.size()), [&](auto& f, int t) {
+    f(t) = faces.transforms[t];
+  });
+  scene.constraints = upload<ConstraintTable>("constraints", int(faces.constraints.size()), [&](auto& f, int c) {
+    f(c) = faces.constraints[c];
+  });
+  if (deck.tool) {
+    add_tool(deck, bodies, scene);
+    check_tool_outside(deck, scene);
+  }
+  return scene;
+}
+
+} // namespace swarf

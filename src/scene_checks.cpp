@@ -1,0 +1,89 @@
+#include "src/scene_parts.hpp"
+#include "swarf/kernels.hpp"
+#include "src/tool_geometry.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace swarf {
+namespace {
+
+constexpr double tolerance = 0.05; // of a cell
+
+// Centres of the cells of a body, and how far each is from its own surface at least.
+struct Centres {
+  std::vector<Point> position;
+  std::vector<double> inset;
+};
+
+Centres find_centres(const FilledBody& body) {
+  Centres c;
+  const bool clipped = body.has_particles() && body.deck->shape == "sphere"; // centres may lie on its surface
+  c.position = body.points.position;
+  for (double gap : body.points.gap) c.inset.push_back(clipped ? 0 : gap);
+  for (const auto& hex : body.hexes.hex) {
+    Point mean(0, 0, 0);
+    for (int node : hex) mean += body.hexes.node[node] / 8;
+    double across = (body.hexes.node[hex[6]] - body.hexes.node[hex[0]]).norm();
+    for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {0, 4}})
+      across = std::min(across, (body.hexes.node[hex[a]] - body.hexes.node[hex[b]]).norm());
+    // Half an edge of a straight brick; hexes of bent bodies are no bricks.
+    const bool brick = body.deck->shape == "block" || body.deck->shape == "ring";
+    c.position.push_back(mean), c.inset.push_back(brick ? 0.5 * across : 0);
+  }
+  return c;
+}
+
+// Line of [tool] in the deck's file, which a Deck does not keep; 0 without the file.
+int find_tool_line(const std::string& file) {
+  std::ifstream deck(file);
+  std::string text;
+  for (int line = 1; std::getline(deck, text); ++line)
+    if (text.find_first_not_of(" \t") == text.find("[tool]") && text.find("[tool]") != std::string::npos) return line;
+  return 0;
+}
+
+int count_inside(const Tool& tool, const ToolPose& pose, ContactPoints points, double depth) {
+  return points.count > 0 ? count_points_inside(points, tool, pose, Real(depth)) : 0;
+}
+
+} // namespace
+
+void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies) {
+  if (bodies.size() < 2) return;
+  for (const FilledBody& body : bodies) {
+    const Centres centres = find_centres(body);
+    for (const FilledBody& other : bodies) {
+      if (&other == &body) continue;
+      for (std::size_t c = 0; c < centres.position.size(); ++c) {
+        const Point& x = centres.position[c];
+        if (other.shape.signed_distance(x) >= (1 - 2 * tolerance) * centres.inset[c]) continue;
+        reject(deck, *body.deck, "origin",
+               fmt::format("overlaps body \"{}\" of line {}, at ({:.6g}, {:.6g}, {:.6g}) m: expected bodies that at "
+                           "most touch. Move one or make it smaller",
+                           other.deck->name, other.deck->line, x.x(), x.y(), x.z()));
+      }
+    }
+  }
+}
+
+void check_tool_outside(const Deck& deck, const Scene& scene) {
+  if (!deck.tool) return;
+  const Particles& p = scene.particles;
+  const HexMesh& m = scene.hexes;
+  ContactPoints of_particles, of_nodes;
+  of_particles.count = p.count, of_particles.position = p.position, of_particles.area = p.contact_area;
+  of_nodes.count = m.nodes, of_nodes.position = m.position, of_nodes.area = m.contact_area;
+  const ToolPose pose = tool_pose(*deck.tool, 0);
+  const double depth = tolerance * (scene.spacing > 0 ? scene.spacing : double(scene.tool.reach) / 2);
+  const int particles = count_inside(scene.tool, pose, of_particles, depth);
+  const int nodes = count_inside(scene.tool, pose, of_nodes, depth);
+  if (particles + nodes == 0) return;
+  throw DeckError(fmt::format("{}:{}: tool.position: {} of {} particles and {} nodes lie inside the tool at the start: "
+                              "expected none. Move the tool or the bodies{}",
+                              deck.file, find_tool_line(deck.file), particles, p.count, nodes,
+                              deck.tool->kind == "end_mill" ? ", or choose a start_angle outside of the material" : ""));
+}
+
+} // namespace swarf

@@ -1,0 +1,88 @@
+#include "src/scene_parts.hpp"
+#include "src/upload.hpp"
+#include <cmath>
+
+namespace swarf {
+namespace {
+
+// A row of the particles' fields, wherever it comes from.
+struct Row {
+  const FilledBody* body;
+  Point position;
+  double volume, gap;
+  int material;
+  bool is_tied;
+};
+
+std::vector<Row> list_rows(const std::vector<FilledBody>& bodies, const std::vector<TiedPoint>& tied) {
+  std::vector<Row> rows;
+  for (const FilledBody& b : bodies)
+    for (std::size_t i = 0; i < b.points.position.size(); ++i)
+      rows.push_back({&b, b.points.position[i], b.points.volume[i], b.points.gap[i], b.material, false});
+  for (const TiedPoint& p : tied) {
+    const FilledBody& body = bodies[std::size_t(p.body)];
+    const auto host = std::find_if(bodies.begin(), bodies.end(), [&](const FilledBody& b) {
+      return !b.has_particles() && p.host >= b.first_hex && p.host < b.first_hex + int(b.hexes.hex.size());
+    });
+    rows.push_back({&body, p.position, p.volume, 0, host->material, true});
+  }
+  return rows;
+}
+
+} // namespace
+
+Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies,
+                         const std::vector<TiedPoint>& tied, const Faces& faces) {
+  const std::vector<Row> rows = list_rows(bodies, tied);
+  const int n = int(rows.size());
+  Particles p;
+  p.tied = int(tied.size());
+  p.count = p.points.count = n - p.tied;
+  p.total = n;
+  // Every field zero at first; what is left so is derived or history.
+  const auto allocate = [&](const std::string& name, auto& field) {
+    field = std::decay_t<decltype(field)>(name, std::size_t(n));
+  };
+  p.for_each_field([&](const std::string& name, auto& field) {
+    if (name == "reference_summation" && deck.particles.density != "summation") return;
+    allocate(name, field);
+  });
+  allocate("correction", p.correction), allocate("pair_stress", p.pair_stress);
+  allocate("strain_rate", p.strain_rate), allocate("artificial_stress", p.artificial_stress);
+  allocate("impedance", p.impedance);
+
+  const auto vector = [&](auto&& value) {
+    return [&rows, value](auto& f, int i) { store_vector(f, i, to_vector3(value(rows[std::size_t(i)]))); };
+  };
+  const auto scalar = [&](auto&& value) {
+    return [&rows, value](auto& f, int i) { f(i) = Real(value(rows[std::size_t(i)])); };
+  };
+  const auto index = [&](auto&& value) {
+    return [&rows, value](auto& f, int i) { f(i) = value(rows[std::size_t(i)]); };
+  };
+  const auto density = [&](const Row& r) { return deck.materials[std::size_t(r.material)].density; };
+  p.position = upload<VectorField>("position", n, vector([](const Row& r) { return r.position; }));
+  p.velocity = upload<VectorField>("velocity", n, vector([](const Row& r) { return r.body->deck->velocity; }));
+  p.volume = upload<ScalarField>("volume", n, scalar([](const Row& r) { return r.volume; }));
+  p.smoothing_length = upload<ScalarField>("smoothing_length", n, scalar([&](const Row& r) {
+    return deck.particles.smoothing_ratio * r.body->points.spacing;
+  }));
+  p.contact_gap = upload<ScalarField>("contact_gap", n, scalar([](const Row& r) { return r.gap; }));
+  p.contact_area = upload<ScalarField>("contact_area", n, scalar([](const Row& r) {
+    return r.is_tied ? 0.0 : std::pow(r.volume, 2.0 / 3.0);
+  }));
+  p.points.mass = upload<ScalarField>("mass", n, scalar([&](const Row& r) { return density(r) * r.volume; }));
+  p.points.density = upload<ScalarField>("density", n, scalar(density));
+  p.points.temperature = upload<ScalarField>("temperature", n, scalar([](const Row& r) {
+    return r.body->deck->temperature;
+  }));
+  p.points.material = upload<IndexField>("material", n, index([](const Row& r) { return r.material; }));
+  p.body = upload<IndexField>("body", n, index([](const Row& r) { return r.body->row; }));
+  p.identity = upload<IndexField>("identity", n, [](auto& f, int i) { f(i) = i; });
+  p.constraints = upload<View<unsigned*>>("constraints", n, [&](auto& f, int i) {
+    f(i) = i < p.count ? faces.particle_bits[std::size_t(i)] : 0u;
+  });
+  return p;
+}
+
+} // namespace swarf

@@ -1,0 +1,25 @@
+// The parts of a scene, each made on the host from the filled bodies.
+#pragma once
+#include "src/build_tie.hpp"
+#include "src/faces.hpp"
+#include "src/scene.hpp"
+
+namespace swarf {
+
+Material make_material(const MaterialDeck& deck);
+
+// Rows: the particles of all bodies, then the tied points.
+Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies,
+                         const std::vector<TiedPoint>& tied, const Faces& faces);
+
+// All bodies of hexes. A hex's mass is its density times the volume of its straight-edged hex, an eighth of it goes to
+// each node; periodic pairs share theirs equally. Throws DeckError for an inverted hex.
+HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, const Faces& faces);
+
+// Throws DeckError: a cell of one body lies in another body, by more than 5 % of a cell.
+void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies);
+
+// Throws DeckError: particles or nodes lie in the tool, by more than 5 % of the spacing.
+void check_tool_outside(const Deck& deck, const Scene& scene);
+
+} // namespace swarf

@@ -1,0 +1,16 @@
+// The exterior faces of a body of hexes.
+#pragma once
+#include "src/filled_body.hpp"
+
+namespace swarf {
+
+struct SurfaceQuad {
+  std::array<int, 4> node; // of the body's HexSet, counter-clockwise from outside
+};
+std::vector<SurfaceQuad> find_surface(const HexSet& hexes);
+
+std::array<Point, 4> corners_of(const HexSet& hexes, const SurfaceQuad& quad);
+// Outward, as long as the quad's area.
+Point area_of(const HexSet& hexes, const SurfaceQuad& quad);
+
+} // namespace swarf
