@@ -3,6 +3,7 @@
 
 #include "support/materials.hpp"
 #include "support/points.hpp"
+#include "support/status.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,20 +12,6 @@
 
 namespace swarf {
 namespace {
-
-Status make_status() {
-  Status status("status");
-  Kokkos::deep_copy(status, no_fault);
-  return status;
-}
-unsigned long long read(const Status& status) {
-  unsigned long long value;
-  Kokkos::deep_copy(value, status);
-  return value;
-}
-unsigned long long fault_at(Fault fault, unsigned index) {
-  return (static_cast<unsigned long long>(fault) << 32) + index;
-}
 
 Tensor3 sample_gradient(int i) {
   Tensor3 L{1, 2, -3, 4, Real(-0.5), 6, -7, 8, Real(-0.6)};
@@ -51,10 +38,10 @@ TEST(UpdateStress, AppliesThePointwiseUpdateToEveryPoint) {
   Kokkos::deep_copy(p.material, material), Kokkos::deep_copy(p.density, density);
   Kokkos::deep_copy(p.mass, Real(0.5));
   set_gradients(p, L);
-  const Status status = make_status();
+  const Status status = test::make_status();
   const Real dt = Real(1e-8);
   for (int k = 0; k < 10; ++k) update_stress(p, test::make_material_table(mats), dt, status);
-  ASSERT_EQ(read(status), no_fault);
+  ASSERT_EQ(test::read_status(status), no_fault);
 
   const auto stress = host_copy(p.stress);
   const auto internal = host_copy(p.internal_work), plastic = host_copy(p.plastic_work);
@@ -86,9 +73,9 @@ TEST(UpdateStress, ReportsTheLowestPointThatIsNotFinite) {
   L[97].xy = std::numeric_limits<Real>::quiet_NaN();
   L[42].zz = std::numeric_limits<Real>::infinity();
   set_gradients(p, L);
-  const Status status = make_status();
+  const Status status = test::make_status();
   update_stress(p, test::make_material_table({mat}), Real(1e-8), status);
-  EXPECT_EQ(read(status), fault_at(Fault::non_finite, 42));
+  EXPECT_EQ(test::read_status(status), test::fault_at(Fault::non_finite, 42));
 }
 
 // F^-1 = I - L dt has a negative determinant: the point is turned inside out.
@@ -96,9 +83,9 @@ TEST(UpdateStress, ReportsAnInvertedPoint) {
   const Material mat = test::elastic_solid(1, 1, 1);
   const MaterialPoints p = test::make_points(3, mat);
   set_gradients(p, {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {3, 0, 0, 0, 0, 0, 0, 0, 0}});
-  const Status status = make_status();
+  const Status status = test::make_status();
   update_stress(p, test::make_material_table({mat}), 1, status);
-  EXPECT_EQ(read(status), fault_at(Fault::non_finite, 1));
+  EXPECT_EQ(test::read_status(status), test::fault_at(Fault::non_finite, 1));
 }
 
 double time_updates(const std::vector<Tensor3>& gradients) {
@@ -106,7 +93,7 @@ double time_updates(const std::vector<Tensor3>& gradients) {
   const MaterialPoints p = test::make_points(100000, mat);
   set_gradients(p, gradients);
   const MaterialTable table = test::make_material_table({mat});
-  const Status status = make_status();
+  const Status status = test::make_status();
   update_stress(p, table, Real(1e-9), status);
   Kokkos::fence();
   const auto start = std::chrono::steady_clock::now();

@@ -1,6 +1,6 @@
 // A block of hexes for tests: nx x ny x nz cells, each node moved by a map.
 #pragma once
-#include "swarf/hex_mesh.hpp"
+#include "swarf/hex8.hpp"
 
 #include "support/points.hpp"
 
@@ -17,9 +17,8 @@ using Point = std::array<double, 3>;
 
 inline int block_node(const Cells& n, int i, int j, int k) { return i + (n[0] + 1) * (j + (n[1] + 1) * k); }
 
-// map: position of the node at (i, j, k), m. Lumped mass: an eighth of the hex's (of its volume at density)
-// to each corner. The volume is that of the undistorted cell `cell`, m3.
-inline HexMesh make_hex_block(const Cells& n, const Material& mat, double cell,
+// map: position of the node at (i, j, k), m. Lumped mass: an eighth of the hex's to each corner.
+inline HexMesh make_hex_block(const Cells& n, const Material& mat,
                               const std::function<Point(int, int, int)>& map) {
   HexMesh m;
   const int hexes = n[0] * n[1] * n[2];
@@ -38,27 +37,30 @@ inline HexMesh make_hex_block(const Cells& n, const Material& mat, double cell,
   m.external_work = ScalarField("external_work", m.nodes);
   m.constraints = View<unsigned*>("constraints", m.nodes);
   Kokkos::deep_copy(m.active, 1);
-  Kokkos::deep_copy(m.points.mass, Real(mat.density * cell));
-  Kokkos::deep_copy(m.volume, Real(cell));
 
   auto connectivity = Kokkos::create_mirror_view(m.connectivity);
   auto position = Kokkos::create_mirror_view(m.position);
-  auto mass = Kokkos::create_mirror_view(m.mass);
+  auto mass = Kokkos::create_mirror_view(m.mass), hex_mass = Kokkos::create_mirror_view(m.points.mass);
   std::vector<std::vector<int>> corners(m.nodes);
-  for (int k = 0, e = 0; k < n[2]; ++k)
-    for (int j = 0; j < n[1]; ++j)
-      for (int i = 0; i < n[0]; ++i, ++e)
-        for (int a = 0; a < 8; ++a) {
-          const int node = block_node(n, i + ((a + 1) / 2) % 2, j + (a / 2) % 2, k + a / 4);
-          connectivity(e, a) = node;
-          mass(node) += Real(mat.density * cell / 8);
-          corners[node].push_back(8 * e + a);
-        }
   for (int k = 0; k <= n[2]; ++k)
     for (int j = 0; j <= n[1]; ++j)
       for (int i = 0; i <= n[0]; ++i) {
         const Point x = map(i, j, k);
         for (int d = 0; d < 3; ++d) position(block_node(n, i, j, k), d) = Real(x[d]);
+      }
+  for (int k = 0, e = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i, ++e) {
+        HexVectors x;
+        for (int a = 0; a < 8; ++a) {
+          connectivity(e, a) = block_node(n, i + ((a + 1) / 2) % 2, j + (a / 2) % 2, k + a / 4);
+          x.at[a] = load_vector(position, connectivity(e, a));
+        }
+        hex_mass(e) = mat.density * mean_gradient(x).volume;
+        for (int a = 0; a < 8; ++a) {
+          mass(connectivity(e, a)) += hex_mass(e) / 8;
+          corners[connectivity(e, a)].push_back(8 * e + a);
+        }
       }
   m.corner_start = IndexField("corner_start", m.nodes + 1);
   m.corner_of_node = IndexField("corner_of_node", 8 * hexes);
@@ -71,22 +73,21 @@ inline HexMesh make_hex_block(const Cells& n, const Material& mat, double cell,
   }
   start(m.nodes) = at;
   Kokkos::deep_copy(m.connectivity, connectivity), Kokkos::deep_copy(m.position, position);
-  Kokkos::deep_copy(m.mass, mass), Kokkos::deep_copy(m.corner_start, start);
+  Kokkos::deep_copy(m.mass, mass), Kokkos::deep_copy(m.points.mass, hex_mass),
+      Kokkos::deep_copy(m.corner_start, start);
   Kokkos::deep_copy(m.corner_of_node, list);
   return m;
 }
 
 // Cubes of the given edge.
 inline HexMesh make_hex_block(const Cells& n, const Material& mat, double edge) {
-  return make_hex_block(n, mat, edge * edge * edge, [=](int i, int j, int k) {
-    return Point{edge * i, edge * j, edge * k};
-  });
+  return make_hex_block(n, mat, [=](int i, int j, int k) { return Point{edge * i, edge * j, edge * k}; });
 }
 
 // The same with every node inside and on the surface moved by up to `share` of an edge in each direction.
 inline HexMesh make_distorted_block(const Cells& n, const Material& mat, double edge, double share) {
   auto random = std::make_shared<std::mt19937>(7);
-  return make_hex_block(n, mat, edge * edge * edge, [=](int i, int j, int k) {
+  return make_hex_block(n, mat, [=](int i, int j, int k) {
     std::uniform_real_distribution<double> shift(-share * edge, share * edge);
     return Point{edge * i + shift(*random), edge * j + shift(*random), edge * k + shift(*random)};
   });
