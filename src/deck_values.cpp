@@ -14,7 +14,7 @@ std::string show(const toml::node& node) {
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });
   std::string text = out.str();
-  if (node.is_string()) text = fmt::format("\"{}\"", **node.as_string());
+  if (node.is_string()) text = fmt::format("\"{}\"", **node.as_string()); // not as an escaped literal
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
 }
@@ -35,7 +35,9 @@ bool is_within(double x, const Range& range, Dimension dimension) {
 
 std::string quote(const std::string& text) {
   std::ostringstream out;
-  out << toml::value<std::string>(text);
+  const toml::value<std::string> value(text);
+  const auto flags = toml::toml_formatter::default_flags & ~toml::format_flags::allow_literal_strings;
+  out << toml::toml_formatter(value, flags);
   return out.str();
 }
 
