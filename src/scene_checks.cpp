@@ -17,9 +17,16 @@ struct Centres {
   std::vector<double> inset;
 };
 
+// How far the chords of a ring's hexes lie inside of its arcs.
+double chord_depth(const FilledBody& body) {
+  const BodyDeck& b = *body.deck;
+  return b.outer_radius * (1 - std::cos(0.5 * (b.end_angle - b.start_angle) / body.shape.cells[0]));
+}
+
 Centres find_centres(const FilledBody& body) {
   Centres c;
   const bool clipped = body.has_particles() && body.deck->shape == "sphere"; // centres may lie on its surface
+  const bool straight = body.deck->shape == "block" || body.deck->shape == "ring"; // hexes are nearly bricks
   c.position = body.points.position;
   for (double gap : body.points.gap) c.inset.push_back(clipped ? 0 : gap);
   for (const auto& hex : body.hexes.hex) {
@@ -28,9 +35,8 @@ Centres find_centres(const FilledBody& body) {
     double across = (body.hexes.node[hex[6]] - body.hexes.node[hex[0]]).norm();
     for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {0, 4}})
       across = std::min(across, (body.hexes.node[hex[a]] - body.hexes.node[hex[b]]).norm());
-    // Half an edge of a straight brick; hexes of bent bodies are no bricks.
-    const bool brick = body.deck->shape == "block" || body.deck->shape == "ring";
-    c.position.push_back(mean), c.inset.push_back(brick ? 0.5 * across : 0);
+    c.position.push_back(mean);
+    c.inset.push_back(straight ? std::max(0.0, 0.5 * across - chord_depth(body)) : 0);
   }
   return c;
 }
