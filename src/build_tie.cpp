@@ -138,7 +138,8 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
   for (std::size_t k = 0; k < around.position.size(); ++k) {
     TiedPoint p;
     p.position = around.position[k], p.volume = around.volume[k], p.body = row;
-    if (finder.find(p) && !belongs_to_other(bodies, row, p.position)) points.push_back(p);
+    if (body.shape.signed_distance(p.position) > reach || belongs_to_other(bodies, row, p.position)) continue;
+    if (finder.find(p)) points.push_back(p);
   }
   if (points.empty() || faces.empty())
     reject(deck, *body.deck, "tie",
