@@ -2,14 +2,13 @@
 
 namespace swarf {
 
-// Periodic pairs of nodes move as one node seen twice, slave = R master. Each carries half of its mass (the scene
-// makes the masses of a pair equal), so that sums over nodes count it once. Forces in: both get the mean,
-// f_master = (f_master + R^T f_slave) / 2, f_slave = R f_master. Velocities out: v_slave = R v_master.
+// Periodic pairs of nodes move as one node seen twice, slave = R master. Each carries half of its mass (the
+// scene makes the masses of a pair equal), so that sums over nodes count it once. Forces in: both get the
+// mean, f_master = (f_master + R^T f_slave) / 2, f_slave = R f_master. Velocities out: v_slave = R v_master.
 // One pass per transform: within a pass a node is in one row at most, and a node on the edge of two periodic
 // directions gets the mean of all its copies, pass after pass, without atomics.
 // Reads coupled_nodes and the table; reads and writes force, or velocity.
-void couple_nodes(const HexMesh& mesh, const TransformTable& transforms, bool forces) {
-  const HexMesh m = mesh; // the kernel's own copy of the Views
+void couple_nodes(const HexMesh& m, const TransformTable& transforms, bool forces) {
   const int rows = int(m.coupled_nodes.extent(0));
   if (rows == 0) return;
   for (int pass = 0; pass < int(transforms.extent(0)); ++pass)

@@ -6,8 +6,7 @@ namespace swarf {
 // A deleted hex keeps its mass at its nodes and its works; it has no stress, no rate and no force any more.
 // Reads damage, equivalent_plastic_strain; writes active, stress, velocity_gradient, plastic_strain_rate,
 // hourglass.
-void delete_hexes(const HexMesh& mesh, const HexMethod& method) {
-  const HexMesh m = mesh; // the kernel's own copy of the Views
+void delete_hexes(const HexMesh& m, const HexMethod& method) {
   const bool failed = method.delete_failed;
   const Real limit = method.delete_at_strain;
   if (!failed && limit == Real(0)) return;
@@ -15,7 +14,7 @@ void delete_hexes(const HexMesh& mesh, const HexMethod& method) {
       "delete_hexes", Range(0, m.points.count), KOKKOS_LAMBDA(const int e) {
         const bool broken = failed && m.points.damage(e) >= Real(1);
         const bool strained = limit > Real(0) && m.points.equivalent_plastic_strain(e) >= limit;
-        if (!m.active(e) || !(broken || strained)) return;
+        if (m.active(e) && !(broken || strained)) return;
         m.active(e) = 0;
         store_symmetric(m.points.stress, e, Symmetric3{});
         store_tensor(m.points.velocity_gradient, e, Tensor3{});

@@ -4,8 +4,7 @@ namespace swarf {
 
 // Force of each node = sum of the forces at its corners, in the order of the CSR rows: no atomics, so the sum
 // is the same on any number of threads. Reads corner_force, corner_start, corner_of_node; sets force.
-void gather_corner_forces(const HexMesh& mesh) {
-  const HexMesh m = mesh; // the kernel's own copy of the Views
+void gather_corner_forces(const HexMesh& m) {
   Kokkos::parallel_for(
       "gather_corner_forces", Range(0, m.nodes), KOKKOS_LAMBDA(const int a) {
         Vector3 sum{0, 0, 0};

@@ -9,9 +9,7 @@ namespace swarf {
 // (Hughes & Winget 1980; Johnson & Cook 1983, 1985; see stress_update.hpp).
 // Reads velocity_gradient, mass, material; reads and writes the state of MaterialPoints; adds to the works.
 // Faults: return_mapping, non_finite (also where the density is no longer positive).
-void update_stress(const MaterialPoints& points, const MaterialTable& materials, Real dt,
-                   const Status& status) {
-  const MaterialPoints p = points; // the kernel's own copy of the Views
+void update_stress(const MaterialPoints& p, const MaterialTable& materials, Real dt, const Status& status) {
   Kokkos::parallel_for(
       "update_stress", Range(0, p.count), KOKKOS_LAMBDA(const int i) {
         const MaterialState start{

@@ -6,7 +6,8 @@ namespace swarf {
 
 enum class FlowLaw { elastic, linear_hardening, johnson_cook };
 
-// Johnson & Cook (1985) fracture strain: (D1 + D2 exp(D3 p/q)) (1 + D4 ln rate*) (1 + D5 T*).
+// Johnson & Cook (1985) fracture strain: (D1 + D2 exp(D3 s)) (1 + D4 ln rate*) (1 + D5 T*), s = mean stress
+// (tension > 0) / von Mises stress.
 struct DamageLaw {
   bool active = false;
   Real D1 = 0, D2 = 0, D3 = 0, D4 = 0, D5 = 0;
@@ -15,12 +16,12 @@ struct DamageLaw {
 // SI throughout. JC symbols keep the names of Johnson & Cook (1983).
 struct Material {
   FlowLaw law = FlowLaw::elastic;
-  Real density = 0;         // kg/m3
-  Real bulk_modulus = 0;    // Pa
-  Real shear_modulus = 0;   // Pa
-  Real specific_heat = 0;   // J/(kg K)
-  Real taylor_quinney = 0;  // share of plastic work that becomes heat
-  Real yield_stress = 0;    // Pa, linear hardening
+  Real density = 0;        // kg/m3
+  Real bulk_modulus = 0;   // Pa
+  Real shear_modulus = 0;  // Pa
+  Real specific_heat = 0;  // J/(kg K)
+  Real taylor_quinney = 0; // share of plastic work that becomes heat
+  Real yield_stress = 0;   // Pa, linear hardening
   Real hardening_modulus = 0;
   Real A = 0, B = 0, n = 0, C = 0, m = 0;
   Real reference_rate = 1;          // 1/s
