@@ -1,6 +1,6 @@
-// f_a += sum_k N_a f_k over the tied particles k whose force goes to the face that node a belongs to. The weights
-// of a face sum to 1, so the total force passes to round-off. One thread sums one node, in a fixed order.
-// Reads force of the tied rows. Adds to the nodes' force.
+// f_a += sum_k N_a f_k over the tied particles k whose force goes to the face that node a belongs to. The
+// weights of a face sum to 1, so the total force passes to round-off. One thread sums one node, in a fixed
+// order. Reads force of the tied rows. Adds to the nodes' force.
 #include "swarf/kernels.hpp"
 
 namespace swarf {

@@ -8,7 +8,7 @@
 namespace swarf {
 
 class BoxGrid {
-public:
+ public:
   using Box = Eigen::AlignedBox3d;
   using Point = Eigen::Vector3d;
 
@@ -17,11 +17,13 @@ public:
     for (const Box& b : boxes) all.extend(b), mean += b.sizes() / double(boxes.size());
     if (boxes.empty()) return;
     // Cells as large as the mean box; larger where most of the space is empty.
-    for (double scale = 1; scale == 1 || double(cells[0]) * cells[1] * cells[2] > 4.0 * double(boxes.size()) + 64;
+    for (double scale = 1;
+         scale == 1 || double(cells[0]) * cells[1] * cells[2] > 4.0 * double(boxes.size()) + 64;
          scale *= 1.26)
       for (int d = 0; d < 3; ++d) {
         const double extent = all.sizes()[d];
-        cells[d] = mean[d] > 0 ? std::max(1L, std::min(1L << 20, std::lround(extent / (scale * mean[d])))) : 1;
+        cells[d] =
+            mean[d] > 0 ? std::max(1L, std::min(1L << 20, std::lround(extent / (scale * mean[d])))) : 1;
         size[d] = extent > 0 ? extent / double(cells[d]) : 1;
       }
     start.assign(std::size_t(cells[0] * cells[1] * cells[2]) + 1, 0);
@@ -43,7 +45,7 @@ public:
       if (call(entry[std::size_t(e)])) return;
   }
 
-private:
+ private:
   Box all;
   long cells[3] = {1, 1, 1};
   Point size{1, 1, 1};

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <map>
+#include <numbers>
 
 namespace swarf {
 namespace {
@@ -19,7 +20,7 @@ std::array<Point, 8> corners_of(const HexSet& hexes, int hex) {
 
 // Finds the hex that holds a point.
 class HexFinder {
-public:
+ public:
   explicit HexFinder(const HexSet& set) : hexes(set), grid(make_boxes(set)) {}
   bool find(TiedPoint& point) const {
     bool found = false;
@@ -31,7 +32,7 @@ public:
     return found;
   }
 
-private:
+ private:
   const HexSet& hexes;
   BoxGrid grid;
 
@@ -47,7 +48,7 @@ private:
 
 // Finds the nearest of the faces that touch particles.
 class FaceFinder {
-public:
+ public:
   FaceFinder(const HexSet& set, std::vector<SurfaceQuad> faces, double radius)
       : hexes(set), quads(std::move(faces)), reach(radius), grid(make_boxes()) {}
   void find(TiedPoint& point) const {
@@ -60,7 +61,7 @@ public:
     point.face_shape = best.at.shape;
   }
 
-private:
+ private:
   struct Best {
     NearestOnQuad at{{}, std::numeric_limits<double>::infinity()};
     int quad = -1;
@@ -105,6 +106,20 @@ void sort_along_curve(std::vector<TiedPoint>& points, double cell) {
   });
 }
 
+// -sum_j V x grad_x W over a cubic lattice of unit spacing, 1 in the continuum; h = ratio.
+double first_moment(double ratio) {
+  const int reach = int(std::ceil(2 * ratio));
+  double sum = 0;
+  for (int i = -reach; i <= reach; ++i)
+    for (int j = -reach; j <= reach; ++j)
+      for (int k = -reach; k <= reach; ++k) {
+        const double q = std::sqrt(double(i * i + j * j + k * k)) / ratio;
+        const double slope = q < 1 ? 2.25 * q - 3 : q < 2 ? -0.75 * (2 - q) * (2 - q) / q : 0; // cubic spline
+        sum -= i * i * slope / (std::numbers::pi * std::pow(ratio, 5));
+      }
+  return sum;
+}
+
 } // namespace
 
 bool touches_particles(const HexSet& hexes, const SurfaceQuad& quad, const FilledBody& particles) {
@@ -125,7 +140,8 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
     return b.deck->name == body.deck->tie && !b.has_particles();
   });
   if (host == bodies.end())
-    reject(deck, *body.deck, "tie", fmt::format("is tied to \"{}\", which is no body of hexes", body.deck->tie));
+    reject(deck, *body.deck, "tie",
+           fmt::format("is tied to \"{}\", which is no body of hexes", body.deck->tie));
   std::vector<SurfaceQuad> faces;
   for (const SurfaceQuad& quad : find_surface(host->hexes))
     if (touches_particles(host->hexes, quad, body)) faces.push_back(quad);
@@ -143,7 +159,8 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
   }
   if (points.empty() || faces.empty())
     reject(deck, *body.deck, "tie",
-           fmt::format("does not touch \"{}\": expected a common face. Move or enlarge one of the two", host->deck->name));
+           fmt::format("does not touch \"{}\": expected a common face. Move or enlarge one of the two",
+                       host->deck->name));
   const FaceFinder nearest(host->hexes, faces, 2 * layers * pitch);
   for (TiedPoint& p : points) {
     nearest.find(p);
@@ -154,9 +171,10 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
   return points;
 }
 
-Tie make_tie(const std::vector<TiedPoint>& points) {
+Tie make_tie(const std::vector<TiedPoint>& points, double smoothing_ratio) {
   Tie tie;
   const int n = tie.count = int(points.size());
+  tie.correction = Real(1 / first_moment(smoothing_ratio));
   tie.host = upload<IndexField>("tie.host", n, [&](auto& f, int k) { f(k) = points[k].host; });
   tie.shape = upload<View<Real* [8]>>("tie.shape", n, [&](auto& f, int k) {
     for (int a = 0; a < 8; ++a) f(k, a) = Real(points[k].shape[a]);

@@ -16,9 +16,9 @@ struct TiedPoint {
   std::array<double, 4> face_shape{};
 };
 
-// Cells that continue the lattice of body `row` to `reach` (m) around it, where they lie in hexes of the body that
-// it is tied to and outside every body of particles; sorted along a Z-order curve.
-// Throws DeckError if there is none, or no face of the hexes touches the particles.
+// Cells that continue the lattice of body `row` to `reach` (m) around it, where they lie in hexes of the body
+// that it is tied to and outside every body of particles; sorted along a Z-order curve. Throws DeckError if
+// there is none, or no face of the hexes touches the particles.
 std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<FilledBody>& bodies, int row,
                                          double reach);
 
@@ -26,6 +26,7 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
 // touches it.
 bool touches_particles(const HexSet& hexes, const SurfaceQuad& quad, const FilledBody& particles);
 
-Tie make_tie(const std::vector<TiedPoint>& points);
+// smoothing_ratio: h over spacing, for the correction.
+Tie make_tie(const std::vector<TiedPoint>& points, double smoothing_ratio);
 
 } // namespace swarf

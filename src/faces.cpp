@@ -18,8 +18,8 @@ struct RigidMap {
 
 Transform to_transform(const RigidMap& map) {
   const Matrix3d& R = map.R;
-  return {{Real(R(0, 0)), Real(R(0, 1)), Real(R(0, 2)), Real(R(1, 0)), Real(R(1, 1)), Real(R(1, 2)), Real(R(2, 0)),
-           Real(R(2, 1)), Real(R(2, 2))},
+  return {{Real(R(0, 0)), Real(R(0, 1)), Real(R(0, 2)), Real(R(1, 0)), Real(R(1, 1)), Real(R(1, 2)),
+           Real(R(2, 0)), Real(R(2, 1)), Real(R(2, 2))},
           to_vector3(map.t)};
 }
 
@@ -46,7 +46,8 @@ RigidMap period(const Shape& shape, const std::string& low, const std::string& h
 }
 
 RigidMap mirror(const Plane& plane) {
-  return {Matrix3d::Identity() - 2 * plane.normal * plane.normal.transpose(), 2 * plane.offset * plane.normal};
+  return {Matrix3d::Identity() - 2 * plane.normal * plane.normal.transpose(),
+          2 * plane.offset * plane.normal};
 }
 
 ImagePlane make_image_plane(const Plane& plane, const RigidMap& to_image, bool periodic, bool active) {
@@ -60,7 +61,7 @@ double slice_thickness(const Shape& shape, const std::string& low, const std::st
 }
 
 class Collector {
-public:
+ public:
   Collector(const Deck& scene, const std::vector<FilledBody>& filled, double range)
       : deck(scene), bodies(filled), cutoff(range) {}
 
@@ -71,14 +72,15 @@ public:
     faces.node_bits.assign(nodes, 0);
     for (const FilledBody& b : bodies) {
       hold_faces(b);
-      for (const auto& [low, high] : b.shape.face_names()) b.has_particles() ? add_planes(b, low, high) : void();
+      for (const auto& [low, high] : b.shape.face_names())
+        b.has_particles() ? add_planes(b, low, high) : void();
       if (!b.has_particles()) couple_faces(b);
     }
     check_all_inside();
     return std::move(faces);
   }
 
-private:
+ private:
   const Deck& deck;
   const std::vector<FilledBody>& bodies;
   double cutoff;
@@ -87,15 +89,18 @@ private:
   unsigned bit_of(const FilledBody& body, const FaceDeck& face, const Constraint& row) {
     auto& rows = faces.constraints;
     const auto same = [&](const Constraint& c) {
-      const auto equal = [](const Vector3& a, const Vector3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+      const auto equal = [](const Vector3& a, const Vector3& b) {
+        return a.x == b.x && a.y == b.y && a.z == b.z;
+      };
       return c.all == row.all && equal(c.velocity, row.velocity) && (c.all || equal(c.normal, row.normal));
     };
     const auto at = std::find_if(rows.begin(), rows.end(), same);
     const std::size_t bit = std::size_t(at - rows.begin());
     if (at == rows.end()) rows.push_back(row);
     if (bit >= 32)
-      reject(deck, *body.deck, "faces." + face.face,
-             "is the 33rd different hold: expected at most 32. Hold fewer faces, or give them equal velocities");
+      reject(
+          deck, *body.deck, "faces." + face.face,
+          "is the 33rd different hold: expected at most 32. Hold fewer faces, or give them equal velocities");
     return 1u << bit;
   }
 
@@ -104,7 +109,8 @@ private:
       const bool all = face.kind == "fixed" || face.kind == "velocity";
       if (!all && (body.has_particles() || face.kind != "symmetric")) continue;
       if (!all && !body.shape.is_plane(face.face))
-        reject(deck, *body.deck, "faces." + face.face, "must be plane to be symmetric. Use \"fixed\" or a velocity");
+        reject(deck, *body.deck, "faces." + face.face,
+               "must be plane to be symmetric. Use \"fixed\" or a velocity");
       Constraint row;
       row.all = all;
       row.velocity = to_vector3(face.kind == "velocity" ? face.velocity : Triple{});
@@ -133,26 +139,32 @@ private:
     if (!at_low && !at_high) return;
     const std::string key = "faces." + (at_low ? low : high);
     if (low == "start" && body.deck->end_angle - body.deck->start_angle > std::numbers::pi * (1 + 1e-12))
-      reject(deck, *body.deck, key, "bounds a sector of more than 180 deg: expected at most that. Make it smaller");
+      reject(deck, *body.deck, key,
+             "bounds a sector of more than 180 deg: expected at most that. Make it smaller");
     const double thickness = slice_thickness(body.shape, low, high);
     if (at_low && at_high && thickness < cutoff)
-      reject(deck, *body.deck, key,
-             fmt::format("is {:.6g} m from the opposite {} face: expected at least the reach of a particle, {:.6g} m. "
-                         "Make the body thicker or the spacing smaller",
-                         thickness, periodic ? "periodic" : "symmetric", cutoff));
+      reject(
+          deck, *body.deck, key,
+          fmt::format(
+              "is {:.6g} m from the opposite {} face: expected at least the reach of a particle, {:.6g} m. "
+              "Make the body thicker or the spacing smaller",
+              thickness, periodic ? "periodic" : "symmetric", cutoff));
     const Plane a = body.shape.plane(low), b = body.shape.plane(high);
     const RigidMap forth = periodic ? period(body.shape, low, high) : mirror(a);
-    const RigidMap back = periodic ? RigidMap{forth.R.transpose(), -(forth.R.transpose() * forth.t)} : mirror(b);
+    const RigidMap back =
+        periodic ? RigidMap{forth.R.transpose(), -(forth.R.transpose() * forth.t)} : mirror(b);
     ImagePlane first = make_image_plane(a, forth, periodic, at_low);
     ImagePlane second = make_image_plane(b, back, periodic, at_high);
     first.active = first.active && !has_plane(first);
     second.active = second.active && !has_plane(second);
     if (!first.active && !second.active) return;
     if (faces.planes.size() + 2 > max_image_planes)
-      reject(deck, *body.deck, key,
-             fmt::format("is one face too many: expected at most {} pairs of periodic or symmetric planes. Let bodies "
-                         "share their planes",
-                         max_image_planes / 2));
+      reject(
+          deck, *body.deck, key,
+          fmt::format(
+              "is one face too many: expected at most {} pairs of periodic or symmetric planes. Let bodies "
+              "share their planes",
+              max_image_planes / 2));
     faces.planes.push_back(first), faces.planes.push_back(second);
   }
 
@@ -166,9 +178,10 @@ private:
         const double off = (map(body.hexes.node[from[n]]) - body.hexes.node[to[n]]).norm();
         if (off > 1e-6 * std::cbrt(body.shape.volume()))
           reject(deck, *body.deck, "faces." + low,
-                 fmt::format("is not the image of the {} face: a node lies {:.3g} m off. Periodic faces need equal "
-                             "shapes; previous_tooth makes those of a sector differ",
-                             high, off));
+                 fmt::format(
+                     "is not the image of the {} face: a node lies {:.3g} m off. Periodic faces need equal "
+                     "shapes; previous_tooth makes those of a sector differ",
+                     high, off));
         faces.coupled_nodes.push_back({body.first + from[n], body.first + to[n], row});
       }
     }
@@ -178,8 +191,8 @@ private:
     const Transform wanted = to_transform(map);
     const auto distance = [&](const Transform& a) {
       const Tensor3 &p = a.R, &q = wanted.R;
-      return std::abs(p.xx - q.xx) + std::abs(p.xy - q.xy) + std::abs(p.yx - q.yx) + std::abs(a.t.x - wanted.t.x) +
-             std::abs(a.t.y - wanted.t.y) + std::abs(a.t.z - wanted.t.z);
+      return std::abs(p.xx - q.xx) + std::abs(p.xy - q.xy) + std::abs(p.yx - q.yx) +
+             std::abs(a.t.x - wanted.t.x) + std::abs(a.t.y - wanted.t.y) + std::abs(a.t.z - wanted.t.z);
     };
     for (std::size_t row = 0; row < faces.transforms.size(); ++row)
       if (distance(faces.transforms[row]) == 0) return int(row);
@@ -193,9 +206,10 @@ private:
         for (const ImagePlane& p : faces.planes)
           if (p.active && double(dot(p.normal, to_vector3(x))) < double(p.offset))
             reject(deck, *body.deck, "origin",
-                   fmt::format("has particles behind a periodic or symmetric plane, at ({:.6g}, {:.6g}, {:.6g}) m: "
-                               "such planes bound the whole scene. Move the body",
-                               x.x(), x.y(), x.z()));
+                   fmt::format(
+                       "has particles behind a periodic or symmetric plane, at ({:.6g}, {:.6g}, {:.6g}) m: "
+                       "such planes bound the whole scene. Move the body",
+                       x.x(), x.y(), x.z()));
   }
 };
 

@@ -15,10 +15,10 @@ struct Faces {
 
 // fixed, velocity: all components of the nodes on the face, or of the first layer of particles.
 // symmetric: the normal component of the nodes; a mirror for particles.
-// periodic: couples of nodes; a pair of planes for particles. Each direction of a body couples all nodes of its two
-// faces by one transform of its own, so that a node where periodic faces meet is coupled once per direction.
-// Bodies with equal planes share them. A plane holds for all particles of the scene.
-// Throws DeckError: too many faces, faces that do not match, a slice thinner than `cutoff`, particles behind a
+// periodic: couples of nodes; a pair of planes for particles. Each direction of a body couples all nodes of
+// its two faces by one transform of its own, so that a node where periodic faces meet is coupled once per
+// direction. Bodies with equal planes share them. A plane holds for all particles of the scene. Throws
+// DeckError: too many faces, faces that do not match, a slice thinner than `cutoff`, particles behind a
 // plane.
 Faces collect_faces(const Deck& deck, const std::vector<FilledBody>& bodies, double cutoff);
 

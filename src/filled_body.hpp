@@ -12,7 +12,7 @@ struct FilledBody {
   Shape shape;
   PointSet points; // one of the two is empty
   HexSet hexes;
-  int first = 0;     // row of the first particle, or of the first node
+  int first = 0; // row of the first particle, or of the first node
   int first_hex = 0;
 
   bool has_particles() const { return deck->fill == "particles"; }

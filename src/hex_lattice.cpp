@@ -13,8 +13,9 @@ Point origin_of(const BodyDeck& b) { return {b.origin[0], b.origin[1], b.origin[
 
 // --- block and ring: cells of a box of indices, a closed ring's first direction wraps
 class Box {
-public:
-  explicit Box(const Shape& s) : shape(s), nodes{s.cells[0] + (s.closed ? 0 : 1), s.cells[1] + 1, s.cells[2] + 1} {}
+ public:
+  explicit Box(const Shape& s)
+      : shape(s), nodes{s.cells[0] + (s.closed ? 0 : 1), s.cells[1] + 1, s.cells[2] + 1} {}
 
   HexSet fill() const {
     HexSet set;
@@ -29,13 +30,14 @@ public:
     });
     visit(shape.cells, [&](const Index& i) {
       const auto [a, b, c] = i;
-      set.hex.push_back({node(a, b, c), node(a + 1, b, c), node(a + 1, b + 1, c), node(a, b + 1, c), node(a, b, c + 1),
-                         node(a + 1, b, c + 1), node(a + 1, b + 1, c + 1), node(a, b + 1, c + 1)});
+      set.hex.push_back({node(a, b, c), node(a + 1, b, c), node(a + 1, b + 1, c), node(a, b + 1, c),
+                         node(a, b, c + 1), node(a + 1, b, c + 1), node(a + 1, b + 1, c + 1),
+                         node(a, b + 1, c + 1)});
     });
     return set;
   }
 
-private:
+ private:
   const Shape& shape;
   Index nodes;
 
@@ -87,8 +89,8 @@ Disc mesh_disc(int across, double radius) {
     for (int j = 0; j <= core; ++j) {
       const double u = 2.0 * i / core - 1, v = 2.0 * j / core - 1;
       grid[{i, j}] = int(disc.node.size());
-      disc.node.push_back(rho * ((1 - bulge) * std::numbers::sqrt2 / 2 * Eigen::Vector2d(u, v) +
-                                 bulge * map_to_disc(u, v)));
+      disc.node.push_back(
+          rho * ((1 - bulge) * std::numbers::sqrt2 / 2 * Eigen::Vector2d(u, v) + bulge * map_to_disc(u, v)));
     }
   for (int i = 0; i < core; ++i)
     for (int j = 0; j < core; ++j)
@@ -135,8 +137,8 @@ HexSet extrude(const Shape& shape) {
   for (int j = 0; j < layers; ++j)
     for (const auto& q : disc.quad) {
       const int low = j * layer, high = low + layer;
-      set.hex.push_back({low + q[0], low + q[1], low + q[2], low + q[3], high + q[0], high + q[1], high + q[2],
-                         high + q[3]});
+      set.hex.push_back({low + q[0], low + q[1], low + q[2], low + q[3], high + q[0], high + q[1],
+                         high + q[2], high + q[3]});
     }
   return set;
 }

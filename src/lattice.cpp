@@ -16,8 +16,9 @@ struct Cell {
 
 // The lattice of a shape, defined for cells outside it as well.
 class Cells {
-public:
-  explicit Cells(const Shape& s) : shape(s), body(*s.body), origin(body.origin[0], body.origin[1], body.origin[2]) {}
+ public:
+  explicit Cells(const Shape& s)
+      : shape(s), body(*s.body), origin(body.origin[0], body.origin[1], body.origin[2]) {}
 
   // Directions: block, sphere x, y, z; ring around, axial, radial; cylinder around, axial, radial.
   Index count() const {
@@ -40,7 +41,7 @@ public:
     return c;
   }
 
-private:
+ private:
   const Shape& shape;
   const BodyDeck& body;
   Point origin;

@@ -6,7 +6,8 @@
 namespace swarf {
 
 InnerSurface previous_tooth_surface(const ToolDeck& tool, const Triple& origin) {
-  const Point feed = Point(tool.feed_direction[0], tool.feed_direction[1], tool.feed_direction[2]).normalized();
+  const Point feed =
+      Point(tool.feed_direction[0], tool.feed_direction[1], tool.feed_direction[2]).normalized();
   const Point left = Point::UnitZ().cross(feed); // immersion 0; the teeth turn clockwise from it to the feed
   const Point start(tool.position[0], tool.position[1], tool.position[2]);
   const Point axis(origin[0], origin[1], origin[2]);
@@ -15,8 +16,8 @@ InnerSurface previous_tooth_surface(const ToolDeck& tool, const Triple& origin) 
     const Point e(std::cos(angle), std::sin(angle), 0);
     const double lag = (z - start.z()) * std::tan(tool.helix) / R; // higher up, the edge comes later
     double immersion = std::atan2(e.dot(feed), e.dot(left)), radius = R;
-    // The centre moves by a feed per tooth while the immersion grows by a pitch, so each pass gains a factor of
-    // feed / (pitch R), below 1e-2.
+    // The centre moves by a feed per tooth while the immersion grows by a pitch, so each pass gains a factor
+    // of feed / (pitch R), below 1e-2.
     for (int pass = 0; pass < 12; ++pass) {
       const double passings = (immersion - tool.start_angle + lag) / pitch;
       const double since = passings - std::ceil(passings); // in (-1, 0]

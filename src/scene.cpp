@@ -22,7 +22,8 @@ Material make_material(const MaterialDeck& deck) {
     m.law = FlowLaw::johnson_cook;
     m.A = Real(deck.A), m.B = Real(deck.B), m.n = Real(deck.n), m.C = Real(deck.C), m.m = Real(deck.m);
     m.reference_rate = Real(deck.reference_rate);
-    m.reference_temperature = Real(deck.reference_temperature), m.melt_temperature = Real(deck.melt_temperature);
+    m.reference_temperature = Real(deck.reference_temperature),
+    m.melt_temperature = Real(deck.melt_temperature);
   }
   if (deck.damage) {
     const auto& D = *deck.damage;
@@ -63,7 +64,8 @@ std::vector<FilledBody> fill_bodies(const Deck& deck) {
 // Particles sharing a plane's images need the largest support of all.
 double largest_smoothing_length(const Deck& deck, const std::vector<FilledBody>& bodies) {
   double largest = 0;
-  for (const FilledBody& b : bodies) largest = std::max(largest, deck.particles.smoothing_ratio * b.points.spacing);
+  for (const FilledBody& b : bodies)
+    largest = std::max(largest, deck.particles.smoothing_ratio * b.points.spacing);
   return largest;
 }
 
@@ -103,26 +105,24 @@ Scene build_scene(const Deck& deck) {
   scene.skin = deck.particles.skin * support;
   scene.cutoff = support + scene.skin;
   for (const FilledBody& b : bodies)
-    if (b.has_particles() && (scene.spacing == 0 || b.points.spacing < scene.spacing)) scene.spacing = b.points.spacing;
+    if (b.has_particles() && (scene.spacing == 0 || b.points.spacing < scene.spacing))
+      scene.spacing = b.points.spacing;
 
   const Faces faces = collect_faces(deck, bodies, scene.cutoff);
   const std::vector<TiedPoint> tied = tie_bodies(deck, bodies, scene.cutoff);
-  scene.materials = upload<MaterialTable>("materials", int(deck.materials.size()), [&](auto& f, int m) {
-    f(m) = make_material(deck.materials[m]);
-  });
+  scene.materials = upload<MaterialTable>("materials", int(deck.materials.size()),
+                                          [&](auto& f, int m) { f(m) = make_material(deck.materials[m]); });
   scene.particles = make_particles(deck, bodies, tied, faces);
   scene.hexes = make_hex_mesh(deck, bodies, faces);
   std::vector<int> hex_body;
   for (const FilledBody& b : bodies) hex_body.insert(hex_body.end(), b.hexes.hex.size(), b.row);
   scene.hex_body = upload("hex_body", hex_body);
-  scene.tie = make_tie(tied);
+  scene.tie = make_tie(tied, deck.particles.smoothing_ratio);
   scene.image_planes = faces.planes;
-  scene.node_transforms = upload<TransformTable>("node_transforms", int(faces.transforms.size()), [&](auto& f, int t) {
-    f(t) = faces.transforms[t];
-  });
-  scene.constraints = upload<ConstraintTable>("constraints", int(faces.constraints.size()), [&](auto& f, int c) {
-    f(c) = faces.constraints[c];
-  });
+  scene.node_transforms = upload<TransformTable>("node_transforms", int(faces.transforms.size()),
+                                                 [&](auto& f, int t) { f(t) = faces.transforms[t]; });
+  scene.constraints = upload<ConstraintTable>("constraints", int(faces.constraints.size()),
+                                              [&](auto& f, int c) { f(c) = faces.constraints[c]; });
   if (deck.tool) {
     add_tool(deck, bodies, scene);
     check_tool_outside(deck, scene);

@@ -1,6 +1,6 @@
 #include "src/scene_parts.hpp"
-#include "swarf/kernels.hpp"
 #include "src/tool_geometry.hpp"
+#include "swarf/kernels.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -46,7 +46,8 @@ int find_tool_line(const std::string& file) {
   std::ifstream deck(file);
   std::string text;
   for (int line = 1; std::getline(deck, text); ++line)
-    if (text.find_first_not_of(" \t") == text.find("[tool]") && text.find("[tool]") != std::string::npos) return line;
+    if (text.find_first_not_of(" \t") == text.find("[tool]") && text.find("[tool]") != std::string::npos)
+      return line;
   return 0;
 }
 
@@ -66,9 +67,10 @@ void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies) {
         const Point& x = centres.position[c];
         if (other.shape.signed_distance(x) >= (1 - 2 * tolerance) * centres.inset[c]) continue;
         reject(deck, *body.deck, "origin",
-               fmt::format("overlaps body \"{}\" of line {}, at ({:.6g}, {:.6g}, {:.6g}) m: expected bodies that at "
-                           "most touch. Move one or make it smaller",
-                           other.deck->name, other.deck->line, x.x(), x.y(), x.z()));
+               fmt::format(
+                   "overlaps body \"{}\" of line {}, at ({:.6g}, {:.6g}, {:.6g}) m: expected bodies that at "
+                   "most touch. Move one or make it smaller",
+                   other.deck->name, other.deck->line, x.x(), x.y(), x.z()));
       }
     }
   }
@@ -86,10 +88,11 @@ void check_tool_outside(const Deck& deck, const Scene& scene) {
   const int particles = count_inside(scene.tool, pose, of_particles, depth);
   const int nodes = count_inside(scene.tool, pose, of_nodes, depth);
   if (particles + nodes == 0) return;
-  throw DeckError(fmt::format("{}:{}: tool.position: {} of {} particles and {} nodes lie inside the tool at the start: "
-                              "expected none. Move the tool or the bodies{}",
-                              deck.file, find_tool_line(deck.file), particles, p.count, nodes,
-                              deck.tool->kind == "end_mill" ? ", or choose a start_angle outside of the material" : ""));
+  throw DeckError(
+      fmt::format("{}:{}: tool.position: {} of {} particles and {} nodes lie inside the tool at the start: "
+                  "expected none. Move the tool or the bodies{}",
+                  deck.file, find_tool_line(deck.file), particles, p.count, nodes,
+                  deck.tool->kind == "end_mill" ? ", or choose a start_angle outside of the material" : ""));
 }
 
 } // namespace swarf

@@ -30,10 +30,12 @@ std::vector<Hex> list_hexes(const Deck& deck, const std::vector<FilledBody>& bod
       Hex hex{&b, corners, volume_of(b, corners)};
       if (!(hex.volume > 0)) {
         const Point& x = b.hexes.node[corners[0]];
-        reject(deck, *b.deck, b.deck->cells ? "cells" : "spacing",
-               fmt::format("has an inverted hex at ({:.6g}, {:.6g}, {:.6g}) m: expected a positive volume. Change the "
-                           "number of cells",
-                           x.x(), x.y(), x.z()));
+        reject(
+            deck, *b.deck, b.deck->cells ? "cells" : "spacing",
+            fmt::format(
+                "has an inverted hex at ({:.6g}, {:.6g}, {:.6g}) m: expected a positive volume. Change the "
+                "number of cells",
+                x.x(), x.y(), x.z()));
       }
       for (int& node : hex.node) node += b.first;
       hexes.push_back(hex);
@@ -55,7 +57,8 @@ std::vector<double> surface_shares(const std::vector<FilledBody>& bodies, std::s
     }
     for (const SurfaceQuad& quad : find_surface(b.hexes)) {
       const bool inner = std::any_of(inner_faces.begin(), inner_faces.end(), [&](const auto& on_face) {
-        return std::all_of(quad.node.begin(), quad.node.end(), [&](int n) { return on_face[std::size_t(n)]; });
+        return std::all_of(quad.node.begin(), quad.node.end(),
+                           [&](int n) { return on_face[std::size_t(n)]; });
       });
       const bool tied = std::any_of(bodies.begin(), bodies.end(), [&](const FilledBody& p) {
         return p.has_particles() && p.deck->tie == b.deck->name && touches_particles(b.hexes, quad, p);
@@ -80,7 +83,8 @@ void gather_corners(HexMesh& m, const std::vector<Hex>& hexes) {
   for (std::size_t n = 1; n < start.size(); ++n) start[n] += start[n - 1];
   std::vector<int> next(start.begin(), start.end() - 1);
   for (std::size_t h = 0; h < hexes.size(); ++h)
-    for (std::size_t a = 0; a < 8; ++a) corner[std::size_t(next[std::size_t(hexes[h].node[a])]++)] = int(8 * h + a);
+    for (std::size_t a = 0; a < 8; ++a)
+      corner[std::size_t(next[std::size_t(hexes[h].node[a])]++)] = int(8 * h + a);
   m.corner_start = upload("corner_start", start);
   m.corner_of_node = upload("corner_of_node", corner);
 }
@@ -115,29 +119,33 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
   allocate("external_work", m.external_work, m.nodes), allocate("contact_energy", m.contact_energy, m.nodes);
   allocate("contact_gap", m.contact_gap, m.nodes);
 
-  m.points.mass = upload<ScalarField>("mass", n, [&](auto& f, int e) { f(e) = Real(density(hexes[e]) * hexes[e].volume); });
-  m.points.density = upload<ScalarField>("density", n, [&](auto& f, int e) { f(e) = Real(density(hexes[e])); });
-  m.points.temperature = upload<ScalarField>("temperature", n, [&](auto& f, int e) {
-    f(e) = Real(hexes[e].body->deck->temperature);
-  });
-  m.points.material = upload<IndexField>("material", n, [&](auto& f, int e) { f(e) = hexes[e].body->material; });
+  m.points.mass = upload<ScalarField>(
+      "mass", n, [&](auto& f, int e) { f(e) = Real(density(hexes[e]) * hexes[e].volume); });
+  m.points.density =
+      upload<ScalarField>("density", n, [&](auto& f, int e) { f(e) = Real(density(hexes[e])); });
+  m.points.temperature = upload<ScalarField>(
+      "temperature", n, [&](auto& f, int e) { f(e) = Real(hexes[e].body->deck->temperature); });
+  m.points.material =
+      upload<IndexField>("material", n, [&](auto& f, int e) { f(e) = hexes[e].body->material; });
   m.volume = upload<ScalarField>("volume", n, [&](auto& f, int e) { f(e) = Real(hexes[e].volume); });
   m.active = upload<View<int*>>("active", n, [](auto& f, int e) { f(e) = 1; });
   m.connectivity = upload<View<int* [8]>>("connectivity", n, [&](auto& f, int e) {
     for (int a = 0; a < 8; ++a) f(e, a) = hexes[e].node[a];
   });
-  m.position = upload<VectorField>("position", m.nodes, [&](auto& f, int a) {
-    store_vector(f, a, to_vector3(nodes[a].position));
-  });
+  m.position = upload<VectorField>(
+      "position", m.nodes, [&](auto& f, int a) { store_vector(f, a, to_vector3(nodes[a].position)); });
   m.velocity = upload<VectorField>("velocity", m.nodes, [&](auto& f, int a) {
     store_vector(f, a, to_vector3(nodes[a].body->deck->velocity));
   });
   m.mass = upload<ScalarField>("mass", m.nodes, [&](auto& f, int a) { f(a) = Real(mass[a]); });
-  m.contact_area = upload<ScalarField>("contact_area", m.nodes, [&](auto& f, int a) { f(a) = Real(area[a]); });
-  m.constraints = upload<View<unsigned*>>("constraints", m.nodes, [&](auto& f, int a) { f(a) = faces.node_bits[a]; });
-  m.coupled_nodes = upload<View<int* [3]>>("coupled_nodes", int(faces.coupled_nodes.size()), [&](auto& f, int r) {
-    for (int d = 0; d < 3; ++d) f(r, d) = faces.coupled_nodes[r][d];
-  });
+  m.contact_area =
+      upload<ScalarField>("contact_area", m.nodes, [&](auto& f, int a) { f(a) = Real(area[a]); });
+  m.constraints =
+      upload<View<unsigned*>>("constraints", m.nodes, [&](auto& f, int a) { f(a) = faces.node_bits[a]; });
+  m.coupled_nodes =
+      upload<View<int* [3]>>("coupled_nodes", int(faces.coupled_nodes.size()), [&](auto& f, int r) {
+        for (int d = 0; d < 3; ++d) f(r, d) = faces.coupled_nodes[r][d];
+      });
   gather_corners(m, hexes);
   return m;
 }

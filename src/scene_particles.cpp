@@ -49,7 +49,6 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   });
   allocate("correction", p.correction), allocate("pair_stress", p.pair_stress);
   allocate("strain_rate", p.strain_rate), allocate("artificial_stress", p.artificial_stress);
-  allocate("impedance", p.impedance);
 
   const auto vector = [&](auto&& value) {
     return [&rows, value](auto& f, int i) { store_vector(f, i, to_vector3(value(rows[std::size_t(i)]))); };
@@ -62,23 +61,30 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   };
   const auto density = [&](const Row& r) { return deck.materials[std::size_t(r.material)].density; };
   p.position = upload<VectorField>("position", n, vector([](const Row& r) { return r.position; }));
-  p.velocity = upload<VectorField>("velocity", n, vector([](const Row& r) { return r.body->deck->velocity; }));
+  p.velocity =
+      upload<VectorField>("velocity", n, vector([](const Row& r) { return r.body->deck->velocity; }));
   p.volume = upload<ScalarField>("volume", n, scalar([](const Row& r) { return r.volume; }));
   p.smoothing_length = upload<ScalarField>("smoothing_length", n, scalar([&](const Row& r) {
-    return deck.particles.smoothing_ratio * r.body->points.spacing;
-  }));
+                                             return deck.particles.smoothing_ratio * r.body->points.spacing;
+                                           }));
   p.contact_gap = upload<ScalarField>("contact_gap", n, scalar([](const Row& r) { return r.gap; }));
   p.contact_area = upload<ScalarField>("contact_area", n, scalar([](const Row& r) {
-    return r.is_tied ? 0.0 : std::pow(r.volume, 2.0 / 3.0);
-  }));
+                                         return r.is_tied ? 0.0 : std::pow(r.volume, 2.0 / 3.0);
+                                       }));
   p.points.mass = upload<ScalarField>("mass", n, scalar([&](const Row& r) { return density(r) * r.volume; }));
   p.points.density = upload<ScalarField>("density", n, scalar(density));
-  p.points.temperature = upload<ScalarField>("temperature", n, scalar([](const Row& r) {
-    return r.body->deck->temperature;
-  }));
+  p.points.temperature =
+      upload<ScalarField>("temperature", n, scalar([](const Row& r) { return r.body->deck->temperature; }));
   p.points.material = upload<IndexField>("material", n, index([](const Row& r) { return r.material; }));
   p.body = upload<IndexField>("body", n, index([](const Row& r) { return r.body->row; }));
   p.identity = upload<IndexField>("identity", n, [](auto& f, int i) { f(i) = i; });
+  // As prepare_pair_state leaves it, for sums that come before it in the first step.
+  p.impedance = upload<View<Real* [2]>>("impedance", n, [&](auto& f, int i) {
+    const Material m = make_material(deck.materials[std::size_t(rows[std::size_t(i)].material)]);
+    const double scaled = deck.run.mass_factor * double(m.density);
+    f(i, 0) = Real(scaled * double(longitudinal_wave_speed(m)) / std::sqrt(deck.run.mass_factor)),
+         f(i, 1) = Real(scaled);
+  });
   p.constraints = upload<View<unsigned*>>("constraints", n, [&](auto& f, int i) {
     f(i) = i < p.count ? faces.particle_bits[std::size_t(i)] : 0u;
   });

@@ -12,8 +12,8 @@ Material make_material(const MaterialDeck& deck);
 Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies,
                          const std::vector<TiedPoint>& tied, const Faces& faces);
 
-// All bodies of hexes. A hex's mass is its density times the volume of its straight-edged hex, an eighth of it goes to
-// each node; periodic pairs share theirs equally. Throws DeckError for an inverted hex.
+// All bodies of hexes. A hex's mass is its density times the volume of its straight-edged hex, an eighth of
+// it goes to each node; periodic pairs share theirs equally. Throws DeckError for an inverted hex.
 HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, const Faces& faces);
 
 // Throws DeckError: a cell of one body lies in another body, by more than 5 % of a cell.

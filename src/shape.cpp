@@ -17,8 +17,8 @@ void reject(const Deck& deck, const BodyDeck& body, const std::string& key, cons
 namespace {
 
 constexpr double pi_2 = 0.5 * pi;
-// What a run needs for a particle (fields, lists, tie) and a hex, measured on the shipped decks; rounded down so
-// that nothing is refused that would run.
+// What a run needs for a particle (fields, lists, tie) and a hex, measured on the shipped decks; rounded down
+// so that nothing is refused that would run.
 constexpr double bytes_per_cell = 1000;
 constexpr double index_limit = std::numeric_limits<int>::max() / 8; // 8 corners of a hex
 
@@ -41,7 +41,9 @@ Triple find_cells(const Deck& deck, const BodyDeck& b) {
   if (b.cells) {
     for (int d = 0; d < 3; ++d) n[d] = (*b.cells)[d];
     if (b.shape == "cylinder") {
-      if (n[0] != n[1]) reject(deck, b, "cells", "needs equal counts in both directions across the axis. Give [across, axial]");
+      if (n[0] != n[1])
+        reject(deck, b, "cells",
+               "needs equal counts in both directions across the axis. Give [across, axial]");
       n = {n[0], n[2], n[0]};
     }
     return n;
@@ -51,7 +53,8 @@ Triple find_cells(const Deck& deck, const BodyDeck& b) {
     n[d] = std::round(size[d] / *b.spacing);
     if (n[d] < 1)
       reject(deck, b, "spacing",
-             fmt::format("holds not one cell: expected at most its least extent of {:.6g} m, got {:.6g} m. Make it smaller",
+             fmt::format("holds not one cell: expected at most its least extent of {:.6g} m, got {:.6g} m. "
+                         "Make it smaller",
                          *std::min_element(size.begin(), size.end()), *b.spacing));
   }
   return n;
@@ -71,15 +74,16 @@ void check_meshable(const Deck& deck, const BodyDeck& b, const Triple& n) {
   if (b.fill != "hexes") return;
   if (b.shape == "sphere" && !(b.inner_radius > 0))
     reject(deck, b, "inner_radius",
-           "is solid, which hexes cannot fill: expected more than 0 m. Make it hollow, or fill it with particles");
+           "is solid, which hexes cannot fill: expected more than 0 m. Make it hollow, or fill it with "
+           "particles");
   if (b.shape == "cylinder" && n[0] < 3)
     reject(deck, b, b.cells ? "cells" : "spacing",
            fmt::format("expected at least 3 hexes across the cylinder, got {:.0f}. Make the hexes smaller",
                        n[0]));
   if (b.shape == "ring" && sector(b) >= pi && n[0] < 3)
-    reject(deck, b, b.cells ? "cells" : "spacing",
-           fmt::format("expected at least 3 hexes around the ring, got {:.0f}. Make the hexes smaller",
-                       n[0]));
+    reject(
+        deck, b, b.cells ? "cells" : "spacing",
+        fmt::format("expected at least 3 hexes around the ring, got {:.0f}. Make the hexes smaller", n[0]));
 }
 
 } // namespace
@@ -92,10 +96,11 @@ Shape make_shape(const Deck& deck, const BodyDeck& body) {
   const double count = cells_of(body, n);
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   if (!(count < index_limit && count * bytes_per_cell < memory))
-    reject(deck, body, body.cells ? "cells" : "spacing",
-           fmt::format("makes {:.4g} {}, which need {:.3g} GiB: expected what fits into the {:.3g} GiB of this "
-                       "machine. Make the cells larger or the body smaller",
-                       count, body.fill, count * bytes_per_cell / (1 << 30), memory / (1 << 30)));
+    reject(
+        deck, body, body.cells ? "cells" : "spacing",
+        fmt::format("makes {:.4g} {}, which need {:.3g} GiB: expected what fits into the {:.3g} GiB of this "
+                    "machine. Make the cells larger or the body smaller",
+                    count, body.fill, count * bytes_per_cell / (1 << 30), memory / (1 << 30)));
   Shape shape;
   shape.body = &body;
   for (int d = 0; d < 3; ++d) shape.cells[d] = int(n[d]);
@@ -106,8 +111,7 @@ Shape make_shape(const Deck& deck, const BodyDeck& body) {
   shape.inner_least = body.inner_radius;
   if (!body.previous_tooth) return shape;
   if (!deck.tool || deck.tool->kind != "end_mill")
-    reject(deck, body, "previous_tooth",
-           "needs a tool of kind \"end_mill\"");
+    reject(deck, body, "previous_tooth", "needs a tool of kind \"end_mill\"");
   shape.inner = previous_tooth_surface(*deck.tool, body.origin);
   double most = 0;
   for (int i = 0; i <= shape.cells[0]; ++i)
@@ -119,9 +123,10 @@ Shape make_shape(const Deck& deck, const BodyDeck& body) {
     }
   if (!(shape.inner_least > 0 && most < body.outer_radius)) // also NaN: the ring's axis lies outside the tool
     reject(deck, body, "previous_tooth",
-           fmt::format("has an outer_radius of {:.6g} m: expected more than {:.6g} m, how far the previous tooth "
-                       "cut. Move the tool or enlarge the ring",
-                       body.outer_radius, most));
+           fmt::format(
+               "has an outer_radius of {:.6g} m: expected more than {:.6g} m, how far the previous tooth "
+               "cut. Move the tool or enlarge the ring",
+               body.outer_radius, most));
   return shape;
 }
 
@@ -166,7 +171,9 @@ std::array<std::array<std::string, 2>, 3> Shape::face_names() const {
   return {{{"start", "end"}, {"bottom", "top"}, {"inner", "outer"}}};
 }
 
-bool Shape::is_plane(const std::string& face) const { return face != "inner" && face != "outer" && face != "side"; }
+bool Shape::is_plane(const std::string& face) const {
+  return face != "inner" && face != "outer" && face != "side";
+}
 
 Plane Shape::plane(const std::string& face) const {
   const BodyDeck& b = *body;

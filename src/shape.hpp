@@ -9,7 +9,8 @@ namespace swarf {
 using Point = Eigen::Vector3d;
 
 // Throws DeckError "file:line: body.KEY: "NAME" text".
-[[noreturn]] void reject(const Deck& deck, const BodyDeck& body, const std::string& key, const std::string& text);
+[[noreturn]] void reject(const Deck& deck, const BodyDeck& body, const std::string& key,
+                         const std::string& text);
 
 struct Plane {
   Point normal; // unit, into the body
@@ -21,12 +22,12 @@ using InnerSurface = std::function<double(double angle, double z)>;
 
 struct Shape {
   const BodyDeck* body = nullptr;
-  // Directions: block x, y, z; ring around, axial, radial; cylinder across, axial, across; sphere across (solid
-  // lattice) or along an edge of the cube, along another, radial (hexes).
+  // Directions: block x, y, z; ring around, axial, radial; cylinder across, axial, across; sphere across
+  // (solid lattice) or along an edge of the cube, along another, radial (hexes).
   std::array<int, 3> cells{};
-  InnerSurface inner;        // rings only
-  double inner_least = 0;    // least radius of that surface
-  bool closed = false;       // a ring of a whole turn
+  InnerSurface inner;     // rings only
+  double inner_least = 0; // least radius of that surface
+  bool closed = false;    // a ring of a whole turn
 
   // Negative inside; outside at most the distance. Bent surfaces are exact, not the mesh's chords.
   double signed_distance(const Point& x) const;
@@ -38,16 +39,16 @@ struct Shape {
   bool is_plane(const std::string& face) const;
 };
 
-// Throws DeckError for a body too small for one cell, too many cells for this machine, or a shape that cannot be
-// meshed.
+// Throws DeckError for a body too small for one cell, too many cells for this machine, or a shape that cannot
+// be meshed.
 Shape make_shape(const Deck& deck, const BodyDeck& body);
 
 // Particles or hexes of the shape, counted before anything is allocated.
 double count_cells(const Deck& deck, const BodyDeck& body);
 
-// Radius, about the axis through `origin`, of the surface that the teeth of an end mill have left before time 0.
-// A tooth was last at immersion phi a time -s T ago, T the time between two teeth and s in [0, 1); the tool's
-// centre then lay s feeds behind its start. Runout is left out.
+// Radius, about the axis through `origin`, of the surface that the teeth of an end mill have left before time
+// 0. A tooth was last at immersion phi a time -s T ago, T the time between two teeth and s in [0, 1); the
+// tool's centre then lay s feeds behind its start. Runout is left out.
 InnerSurface previous_tooth_surface(const ToolDeck& tool, const Triple& origin);
 
 } // namespace swarf

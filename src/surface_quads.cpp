@@ -5,7 +5,8 @@
 namespace swarf {
 
 std::vector<SurfaceQuad> find_surface(const HexSet& hexes) {
-  static constexpr int side[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  static constexpr int side[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                     {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
   struct Entry {
     std::array<int, 4> key; // sorted nodes
     std::size_t place;      // 6 * hex + side
@@ -37,7 +38,8 @@ std::vector<SurfaceQuad> find_surface(const HexSet& hexes) {
 }
 
 std::array<Point, 4> corners_of(const HexSet& hexes, const SurfaceQuad& quad) {
-  return {hexes.node[quad.node[0]], hexes.node[quad.node[1]], hexes.node[quad.node[2]], hexes.node[quad.node[3]]};
+  return {hexes.node[quad.node[0]], hexes.node[quad.node[1]], hexes.node[quad.node[2]],
+          hexes.node[quad.node[3]]};
 }
 
 Point area_of(const HexSet& hexes, const SurfaceQuad& quad) {

@@ -17,7 +17,8 @@ Field upload(const std::string& label, int rows, Fill&& fill) {
 }
 
 inline IndexField upload(const std::string& label, const std::vector<int>& values) {
-  return upload<IndexField>(label, int(values.size()), [&](auto& f, int i) { f(i) = values[std::size_t(i)]; });
+  return upload<IndexField>(label, int(values.size()),
+                            [&](auto& f, int i) { f(i) = values[std::size_t(i)]; });
 }
 
 } // namespace swarf

@@ -6,14 +6,16 @@ namespace swarf {
 
 // Row k belongs to the tied particle at row particles.count + k.
 // Kinematics: x, v by the 8 shape functions of the host hex (exact for linear fields); stress and velocity
-// gradient are the host's. Forces: to the 4 nodes of the nearest face of the hexes' surface, by its shape
-// functions, so that a constant stress crosses the face without a dipole in the first layer of hexes.
+// gradient are the host's. Its own K would need tied neighbours: it is that of the undeformed lattice.
+// Forces: to the 4 nodes of the nearest face of the hexes' surface, by its shape functions, so that a
+// constant stress crosses the face without a dipole in the first layer of hexes.
 struct Tie {
   int count = 0;
-  IndexField host;              // hex
-  View<Real* [8]> shape;        // N_a at the particle
-  View<int* [4]> face_nodes;    // receive the force
-  View<Real* [4]> face_shape;   // weights, sum 1
+  Real correction = 1;        // K / identity, of a cubic lattice
+  IndexField host;            // hex
+  View<Real* [8]> shape;      // N_a at the particle
+  View<int* [4]> face_nodes;  // receive the force
+  View<Real* [4]> face_shape; // weights, sum 1
   // Gather without atomics: rows of node row_node[r] are entry[start[r] .. start[r+1]), each 4 * k + corner.
   IndexField row_node, start, entry;
 };

@@ -32,14 +32,15 @@ inline BodyDeck body(const std::string& name, const std::string& shape, const st
   return b;
 }
 
-inline BodyDeck block(const std::string& name, const std::string& fill, Triple origin, Triple size, double spacing) {
+inline BodyDeck block(const std::string& name, const std::string& fill, Triple origin, Triple size,
+                      double spacing) {
   BodyDeck b = body(name, "block", fill);
   b.origin = origin, b.size = size, b.spacing = spacing;
   return b;
 }
 
-inline BodyDeck ring(const std::string& name, const std::string& fill, double inner, double outer, double height,
-                     std::array<int, 3> cells) {
+inline BodyDeck ring(const std::string& name, const std::string& fill, double inner, double outer,
+                     double height, std::array<int, 3> cells) {
   BodyDeck b = body(name, "ring", fill);
   b.inner_radius = inner, b.outer_radius = outer, b.height = height, b.cells = cells;
   return b;
@@ -55,7 +56,8 @@ inline ToolDeck paper_mill() {
   return t;
 }
 
-// Their workpiece, with lattices that give their counts exactly: 717 x 47 x 11 particles, 344 x 15 x 24 hexes.
+// Their workpiece, with lattices that give their counts exactly: 717 x 47 x 11 particles, 344 x 15 x 24
+// hexes.
 inline Deck paper_deck() {
   Deck deck = empty_deck();
   const double band = 400 * um + 11 * 3.3 * um;

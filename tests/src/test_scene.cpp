@@ -39,7 +39,8 @@ TEST(Scene, MassesOfShapes) {
     return scene.particles.count > 0 ? mass_of(scene) : node_mass(scene);
   };
   for (const char* fill : {"particles", "hexes"}) {
-    EXPECT_NEAR(mass(block("b", fill, {1e-3, 0, 0}, {2e-3, 1e-3, 3e-3}, 0.21e-3)) / (4430 * 6e-9), 1, round_off);
+    EXPECT_NEAR(mass(block("b", fill, {1e-3, 0, 0}, {2e-3, 1e-3, 3e-3}, 0.21e-3)) / (4430 * 6e-9), 1,
+                round_off);
     BodyDeck sector = ring("r", fill, 2e-3, 3e-3, 1e-3, {20, 5, 5});
     sector.start_angle = 20 * degree, sector.end_angle = 80 * degree;
     const double chord = fill[0] == 'h' ? std::sin(3 * degree) / (3 * degree) : 1;
@@ -76,9 +77,9 @@ TEST(Scene, CylinderIsRound) {
   }
 }
 
-// Distance between the surfaces of two teeth along the ray from the tool's centre: f sin(phi), and the trochoid's
-// second order, (f^2 / R) (cos^2(phi) / 2 - sin(phi) cos(phi) / pi) for two teeth: the earlier circle is hit at an
-// immersion larger by f cos(phi) / R, when its centre had moved on by f / pi times that.
+// Distance between the surfaces of two teeth along the ray from the tool's centre: f sin(phi), and the
+// trochoid's second order, (f^2 / R) (cos^2(phi) / 2 - sin(phi) cos(phi) / pi) for two teeth: the earlier
+// circle is hit at an immersion larger by f cos(phi) / R, when its centre had moved on by f / pi times that.
 TEST(Scene, PreviousToothLeavesChipOfFeedSinPhi) {
   ToolDeck tool = paper_mill();
   for (const double turned : {0.0, 37.0}) {
@@ -101,8 +102,8 @@ TEST(Scene, PreviousToothLeavesChipOfFeedSinPhi) {
   }
 }
 
-// At time 0 the tip of each tooth lies on the surface that it has just cut, at any height; ahead of it stands the
-// full chip, behind it nothing reaches into the tool's circle.
+// At time 0 the tip of each tooth lies on the surface that it has just cut, at any height; ahead of it stands
+// the full chip, behind it nothing reaches into the tool's circle.
 TEST(Scene, PreviousToothMeetsTheTips) {
   ToolDeck tool = paper_mill();
   tool.start_angle = 70 * degree, tool.position = {3 * um, -2 * um, 0};
@@ -129,8 +130,8 @@ TEST(Scene, PreviousToothKeepsMass) {
   deck.bodies[0].start_angle = deck.bodies[1].start_angle = -10 * degree;
   deck.bodies[0].end_angle = deck.bodies[1].end_angle = 80 * degree;
   const Scene scene = build_scene(deck);
-  // Chips of height 10 um sin(phi) add (f R) integral sin(phi) to the sector, phi from 10 to 100 degrees, less the
-  // centre's way back: the mean of the advance from -f to 0 over the pass.
+  // Chips of height 10 um sin(phi) add (f R) integral sin(phi) to the sector, phi from 10 to 100 degrees,
+  // less the centre's way back: the mean of the advance from -f to 0 over the pass.
   const Shape shape = make_shape(deck, deck.bodies[0]);
   double area = 0;
   const int n = 20000;
