@@ -10,24 +10,25 @@ struct HexMesh {
   MaterialPoints points; // one per hex; points.count hexes
   int nodes = 0;
 
-  View<int* [8]> connectivity;      // nodes of a hex, VTK order (0-3 bottom counter-clockwise, 4-7 above)
-  ScalarField volume;               // m3
-  View<Real* [8][3]> gradient;      // B_aj = dN_a/dx_j at the centre, 1/m
-  View<Real* [8][3]> corner_force;  // N, before the gather
-  View<Real* [4][3]> hourglass;     // generalised hourglass force of the stiffness control, N
-  ScalarField hourglass_work;       // J
-  ScalarField viscous_work;         // J, bulk viscosity
-  View<int*> active;                // 0: deleted
+  View<int* [8]> connectivity;     // nodes of a hex, VTK order (0-3 bottom counter-clockwise, 4-7 above)
+  ScalarField volume;              // m3
+  View<Real* [8][3]> gradient;     // B_aj = dN_a/dx_j at the centre, 1/m
+  View<Real* [8][3]> corner_force; // N, before the gather
+  View<Real* [4][3]> hourglass;    // generalised hourglass force of the stiffness control, N
+  ScalarField hourglass_work;      // J
+  ScalarField viscous_work;        // J, bulk viscosity
+  View<int*> active;               // 0: deleted
 
-  VectorField position, velocity, force;           // nodes
-  ScalarField mass;                                // lumped, kg, not mass-scaled
-  VectorField friction_force, contact_force;       // nodes on the surface that may touch the tool
+  VectorField position, velocity, force;     // nodes
+  ScalarField mass;                          // lumped, kg, not mass-scaled
+  VectorField friction_force, contact_force; // nodes on the surface that may touch the tool
   ScalarField friction_work, external_work, contact_energy;
-  ScalarField contact_gap;                         // m, 0: the node lies on the surface
-  ScalarField contact_area;                        // m2, share of the surface; 0 for nodes inside: no contact
-  View<unsigned*> constraints;                     // bit b: row b of the ConstraintTable
+  ScalarField contact_gap;     // m, 0: the node lies on the surface
+  ScalarField contact_area;    // m2, share of the surface; 0 for nodes inside: no contact
+  View<unsigned*> constraints; // bit b: row b of the ConstraintTable
 
-  // Gather: corners of node a are corner_of_node[corner_start[a] .. corner_start[a+1]), each 8 * hex + corner.
+  // Gather: corners of node a are corner_of_node[corner_start[a] .. corner_start[a+1]), each 8 * hex +
+  // corner.
   IndexField corner_start, corner_of_node;
   // Periodic pairs: node slave follows node master; rows (master, slave, transform).
   View<int* [3]> coupled_nodes;
