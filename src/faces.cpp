@@ -76,6 +76,7 @@ class Collector {
         b.has_particles() ? add_planes(b, low, high) : void();
       if (!b.has_particles()) couple_faces(b);
     }
+    check_tied_faces();
     check_all_inside();
     return std::move(faces);
   }
@@ -198,6 +199,39 @@ class Collector {
       if (distance(faces.transforms[row]) == 0) return int(row);
     faces.transforms.push_back(wanted);
     return int(faces.transforms.size()) - 1;
+  }
+
+  // Tied bodies that end in one plane must both go on behind it, or both end there.
+  void check_tied_faces() const {
+    const auto kind = [](const BodyDeck& body, const std::string& face) -> std::string {
+      for (const char* k : {"periodic", "symmetric"})
+        if (find_face(body, face, k)) return k;
+      return "free or held";
+    };
+    for (const FilledBody& body : bodies)
+      for (const FilledBody& host : bodies) {
+        if (body.deck->tie.empty() || host.deck->name != body.deck->tie) continue;
+        for (const auto& [name, plane] : list_planes(body))
+          for (const auto& [other, at] : list_planes(host)) {
+            const double apart =
+                std::abs(plane.offset - at.offset) / cutoff + (plane.normal - at.normal).norm();
+            const std::string a = kind(*body.deck, name), b = kind(*host.deck, other);
+            if (apart < 1e-6 && a != b)
+              reject(deck, *body.deck, "faces." + name,
+                     fmt::format(
+                         "is {}, and face {} of \"{}\" in the same plane is {}: expected the same for both. "
+                         "Change one",
+                         a, other, host.deck->name, b));
+          }
+      }
+  }
+
+  static std::vector<std::pair<std::string, Plane>> list_planes(const FilledBody& body) {
+    std::vector<std::pair<std::string, Plane>> planes;
+    for (const auto& direction : body.shape.face_names())
+      for (const std::string& face : direction)
+        if (!face.empty() && body.shape.is_plane(face)) planes.emplace_back(face, body.shape.plane(face));
+    return planes;
   }
 
   void check_all_inside() const {

@@ -96,7 +96,7 @@ void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& sc
 
 Scene build_scene(const Deck& deck) {
   if (deck.bodies.empty())
-    throw DeckError(fmt::format("{}: body: expected at least one [[body]], found none. Add one", deck.file));
+    throw DeckError(fmt::format("{}: body: expected at least one [[body]], found none. Add one.", deck.file));
   const std::vector<FilledBody> bodies = fill_bodies(deck);
   check_overlap(deck, bodies);
 

@@ -90,7 +90,7 @@ void check_tool_outside(const Deck& deck, const Scene& scene) {
   if (particles + nodes == 0) return;
   throw DeckError(
       fmt::format("{}:{}: tool.position: {} of {} particles and {} nodes lie inside the tool at the start: "
-                  "expected none. Move the tool or the bodies{}",
+                  "expected none. Move the tool or the bodies{}.",
                   deck.file, find_tool_line(deck.file), particles, p.count, nodes,
                   deck.tool->kind == "end_mill" ? ", or choose a start_angle outside of the material" : ""));
 }

@@ -11,7 +11,7 @@ namespace swarf {
 using std::numbers::pi;
 
 void reject(const Deck& deck, const BodyDeck& body, const std::string& key, const std::string& text) {
-  throw DeckError(fmt::format("{}:{}: body.{}: \"{}\" {}", deck.file, body.line, key, body.name, text));
+  throw DeckError(fmt::format("{}:{}: body.{}: \"{}\" {}.", deck.file, body.line, key, body.name, text));
 }
 
 namespace {

@@ -8,7 +8,7 @@ namespace swarf {
 
 using Point = Eigen::Vector3d;
 
-// Throws DeckError "file:line: body.KEY: "NAME" text".
+// Throws DeckError "file:line: body.KEY: "NAME" text.".
 [[noreturn]] void reject(const Deck& deck, const BodyDeck& body, const std::string& key,
                          const std::string& text);
 
