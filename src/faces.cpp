@@ -201,12 +201,13 @@ class Collector {
     return int(faces.transforms.size()) - 1;
   }
 
-  // Tied bodies that end in one plane must both go on behind it, or both end there.
+  // Where tied bodies end in one plane, both are periodic or none, and the hexes behind a mirror of particles
+  // may not move through it.
   void check_tied_faces() const {
     const auto kind = [](const BodyDeck& body, const std::string& face) -> std::string {
-      for (const char* k : {"periodic", "symmetric"})
-        if (find_face(body, face, k)) return k;
-      return "free or held";
+      for (const FaceDeck& f : body.faces)
+        if (f.face == face) return f.kind;
+      return "free";
     };
     for (const FilledBody& body : bodies)
       for (const FilledBody& host : bodies) {
@@ -216,7 +217,8 @@ class Collector {
             const double apart =
                 std::abs(plane.offset - at.offset) / cutoff + (plane.normal - at.normal).norm();
             const std::string a = kind(*body.deck, name), b = kind(*host.deck, other);
-            if (apart < 1e-6 && a != b)
+            const bool differ = (a == "periodic") != (b == "periodic") || (a == "symmetric" && b == "free");
+            if (apart < 1e-6 && differ)
               reject(deck, *body.deck, "faces." + name,
                      fmt::format(
                          "is {}, and face {} of \"{}\" in the same plane is {}: expected the same for both. "

@@ -71,7 +71,7 @@ TEST(SceneFaults, tied_bodies_end_differently) {
   deck.bodies[0].faces = {{"x_min", "periodic", {}}, {"x_max", "periodic", {}}};
   expect_fault(fault_of(deck),
                {"body.faces.x_min: \"zone\" is periodic, and face x_min of \"bulk\" in the same plane "
-                "is free or held"});
+                "is free"});
 }
 
 TEST(SceneFaults, tool_inside_the_workpiece) {
