@@ -1,0 +1,268 @@
+#include "src/render.hpp"
+
+#include "src/display.hpp"
+#include "src/png.hpp"
+#include "src/render_view.hpp"
+
+#include <fmt/format.h>
+
+#include <vtkActor2D.h>
+#include <vtkCellData.h>
+#include <vtkLineSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarf {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int view_width = 640, view_height = 560, bar_height = 120; // pixels
+using Point = std::array<double, 3>;
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Point unit(const Point& a) {
+  const double length = std::sqrt(dot(a, a));
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
+struct Extent { // of what is drawn, along the axes of the image and of the world
+  Point least{1e300, 1e300, 1e300}, most{-1e300, -1e300, -1e300};
+  void add(const double* box) {
+    for (std::size_t c = 0; c < 3; ++c)
+      least[c] = std::min(least[c], box[2 * c]), most[c] = std::max(most[c], box[2 * c + 1]);
+  }
+  Point centre() const {
+    return {(least[0] + most[0]) / 2, (least[1] + most[1]) / 2, (least[2] + most[2]) / 2};
+  }
+  double across(const Point& axis) const { // of the box, projected
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) sum += std::abs(axis[c]) * (most[c] - least[c]);
+    return sum;
+  }
+};
+
+Extent find_extent(const std::vector<LoadedFrame>& frames) {
+  Extent extent;
+  for (const LoadedFrame& frame : frames)
+    if (frame.particles)
+      extent.add(frame.particles->GetBounds());
+    else if (frame.hexes)
+      extent.add(frame.hexes->GetBounds());
+  return extent;
+}
+
+double finest_spacing(const std::vector<LoadedFrame>& frames) {
+  double spacing = 0;
+  for (const LoadedFrame& frame : frames)
+    if (frame.spacing > 0) spacing = spacing == 0 ? frame.spacing : std::min(spacing, frame.spacing);
+  return spacing;
+}
+
+// All particles if they are few across; else a window in which each is a few pixels wide.
+Camera make_camera(const PictureOptions& options, const Extent& extent, double spacing, bool& follow) {
+  Camera camera;
+  camera.direction = unit(options.view);
+  const Point z{0, 0, 1}, y{0, 1, 0};
+  const bool along_z = std::abs(camera.direction[2]) > 0.999;
+  camera.right = unit(cross(along_z ? y : z, camera.direction));
+  camera.up = cross(camera.direction, camera.right);
+  const double aspect = double(view_width) / view_height;
+  const double whole = 1.08 * std::max(extent.across(camera.right), extent.across(camera.up) * aspect);
+  double window = options.window;
+  if (window <= 0) window = spacing > 0 && whole > 110 * spacing ? 80 * spacing : whole;
+  follow = window < whole;
+  camera.half_height = window / aspect / 2;
+  camera.section = along_z && extent.across(z) < 0.25 * window;
+  return camera;
+}
+
+// Where the tool presses; before and after it does, where it pressed in the nearest frame.
+Point find_focus(const std::vector<LoadedFrame>& frames, std::size_t k, const Point& fallback) {
+  for (std::size_t distance = 0; distance < frames.size(); ++distance)
+    for (const bool later : {false, true}) {
+      const std::size_t other = later ? k + distance : k - distance; // wraps below 0, then is too large
+      if (other < frames.size() && frames[other].in_contact) return frames[other].contact;
+    }
+  return fallback;
+}
+
+// From the least value to the one that only 1 in 1000 particles exceeds, at round numbers.
+std::pair<double, double> find_range(const std::vector<LoadedFrame>& frames) {
+  std::vector<float> values;
+  for (const LoadedFrame& frame : frames)
+    for (vtkPolyData* part : {frame.particles.Get(), frame.hexes.Get()}) {
+      if (!part) continue;
+      for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(part->GetPointData()),
+                                         static_cast<vtkDataSetAttributes*>(part->GetCellData())})
+        if (vtkDataArray* array = data->GetArray("shown"))
+          for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+            if (std::isfinite(array->GetTuple1(i))) values.push_back(float(array->GetTuple1(i)));
+    }
+  if (values.empty()) return {0, 1};
+  const auto quantile = [&](double share) {
+    const auto at = values.begin() + long(share * double(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return double(*at);
+  };
+  double least = quantile(0), most = quantile(0.999);
+  if (most <= least) most = quantile(1);
+  if (most <= least) return {least, least + (least == 0 ? 1 : std::abs(least))};
+  const double step = std::pow(10, std::floor(std::log10(most - least))) / 2;
+  return {std::floor(least / step) * step, std::ceil(most / step) * step};
+}
+
+void add_text(vtkRenderer* renderer, const std::string& words, int size, double x, double y,
+              bool centred = false) {
+  vtkNew<vtkTextActor> text;
+  text->SetInput(words.c_str());
+  text->GetTextProperty()->SetFontSize(size);
+  text->GetTextProperty()->SetColor(0, 0, 0);
+  text->GetTextProperty()->SetBackgroundColor(1, 1, 1);
+  text->GetTextProperty()->SetBackgroundOpacity(0.75);
+  if (centred) text->GetTextProperty()->SetJustificationToCentered();
+  text->SetPosition(x, y);
+  renderer->AddActor2D(text);
+}
+
+std::string frame_label(const FrameEntry& entry) {
+  if (entry.immersion) return fmt::format("{:.1f}\u00b0", *entry.immersion);
+  return entry.time < 1e-3 ? fmt::format("{:.3g} \u00b5s", entry.time * 1e6)
+                           : fmt::format("{:.4g} ms", entry.time * 1e3);
+}
+
+// A bar of a round length, about a quarter of the view.
+void add_scale_bar(vtkRenderer* renderer, double metres_per_pixel) {
+  const double wish = 0.25 * view_width * metres_per_pixel,
+               power = std::pow(10, std::floor(std::log10(wish)));
+  const double length = wish >= 5 * power ? 5 * power : wish >= 2 * power ? 2 * power : power;
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(24, 24, 0);
+  line->SetPoint2(24 + length / metres_per_pixel, 24, 0);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputConnection(line->GetOutputPort());
+  vtkNew<vtkActor2D> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0, 0, 0);
+  actor->GetProperty()->SetLineWidth(6);
+  const std::string words =
+      length < 1e-3 ? fmt::format("{:.4g} \u00b5m", length * 1e6) : fmt::format("{:.4g} mm", length * 1e3);
+  add_text(renderer, words, 24, 24 + length / metres_per_pixel / 2, 34, true);
+  renderer->AddActor2D(actor);
+}
+
+vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& title) {
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1, 1, 1);
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(colours);
+  bar->SetOrientationToHorizontal();
+  bar->SetNumberOfLabels(6);
+  bar->SetLabelFormat("%.4g");
+  bar->UnconstrainedFontSizeOn();
+  for (vtkTextProperty* text : {bar->GetLabelTextProperty(), bar->GetTitleTextProperty()}) {
+    text->SetColor(0, 0, 0);
+    text->SetFontSize(24);
+    text->ItalicOff(), text->BoldOff(), text->ShadowOff();
+  }
+  bar->SetTitle(title.c_str());
+  bar->SetPosition(0.15, 0.05);
+  bar->SetWidth(0.7), bar->SetHeight(0.9);
+  bar->SetBarRatio(0.35);
+  renderer->AddActor2D(bar);
+  return renderer;
+}
+
+} // namespace
+
+std::vector<FrameEntry> choose_frames(const std::vector<FrameEntry>& frames,
+                                      const std::vector<double>& immersion, const std::vector<double>& time) {
+  std::vector<std::size_t> chosen;
+  const auto take_nearest = [&](double wish, auto&& value) {
+    std::size_t best = frames.size();
+    for (std::size_t k = 0; k < frames.size(); ++k)
+      if (std::isfinite(value(frames[k])) &&
+          (best == frames.size() || std::abs(value(frames[k]) - wish) < std::abs(value(frames[best]) - wish)))
+        best = k;
+    if (best < frames.size()) chosen.push_back(best);
+  };
+  for (const double angle : immersion)
+    take_nearest(angle, [](const FrameEntry& f) { return f.immersion.value_or(std::nan("")); });
+  for (const double t : time) take_nearest(t, [](const FrameEntry& f) { return f.time; });
+  if (chosen.empty())
+    for (std::size_t k = 0, n = std::min<std::size_t>(4, frames.size()); k < n; ++k)
+      chosen.push_back(n == frames.size() ? k : (k + 1) * (frames.size() - 1) / n);
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::vector<FrameEntry> out;
+  for (const std::size_t k : chosen) out.push_back(frames[k]);
+  return out;
+}
+
+void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& entries,
+                 const PictureOptions& options, const fs::path& png) {
+  if (const std::string why_not = open_display(); !why_not.empty()) throw ResultsError(why_not);
+  const ShownField field = describe_field(options.field);
+  std::vector<LoadedFrame> frames;
+  for (const FrameEntry& entry : entries)
+    if (entry.particles || entry.hexes) frames.push_back(load_frame(results, entry, field));
+  if (frames.empty())
+    throw ResultsError(results.path.string() + ": has no frames to draw; set output.frame_time or "
+                                               "output.frame_immersion in the deck and run it again");
+  const Extent extent = find_extent(frames);
+  bool follow = false;
+  const Camera camera = make_camera(options, extent, finest_spacing(frames), follow);
+  const auto [least, most] = find_range(frames);
+  const auto colours = make_colours(least, most);
+
+  const int n = int(frames.size()), columns = n <= 4 ? n : (n + 1) / 2, rows = (n + columns - 1) / columns;
+  const int width = columns * view_width, height = rows * view_height + bar_height;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(4);
+  window->SetSize(width, height);
+  for (int k = 0; k < n; ++k) {
+    const Point focus = follow ? find_focus(frames, std::size_t(k), extent.centre()) : extent.centre();
+    const auto view = make_view(frames[std::size_t(k)], camera, focus, colours);
+    const double left = k % columns, bottom = height - (k / columns + 1.0) * view_height;
+    view->SetViewport(left / columns, bottom / height, (left + 1) / columns, (bottom + view_height) / height);
+    add_text(view, frame_label(frames[std::size_t(k)].entry), 34, 20, view_height - 56);
+    if (k == 0) add_scale_bar(view, 2 * camera.half_height / view_height);
+    window->AddRenderer(view);
+  }
+  const auto bar = make_colour_bar(colours, field.title);
+  bar->SetViewport(0.5 - 0.5 / columns, 0, 0.5 + 0.5 / columns, double(bar_height) / height);
+  window->AddRenderer(bar);
+  write_png(window, png);
+}
+
+bool render_strip(const std::string& results_folder) {
+  const ResultsFolder results = open_results(results_folder);
+  const Deck deck = read_deck(results.deck().string());
+  if (const std::string why_not = open_display(); !why_not.empty()) {
+    fmt::print(stderr, "swarf: no pictures of the chip: {}\n", why_not);
+    return false;
+  }
+  fs::create_directories(results.pictures());
+  std::vector<double> angles = deck.output.picture_immersion;
+  for (double& angle : angles) angle *= 180 / M_PI;
+  const auto chosen = choose_frames(read_frame_list(results), angles, deck.output.picture_time);
+  const PictureOptions options{deck.output.picture_field, deck.output.picture_view, 0};
+  draw_frames(results, chosen, options, results.pictures() / "chip.png");
+  for (const FrameEntry& entry : chosen)
+    if (entry.particles || entry.hexes)
+      draw_frames(results, {entry}, options,
+                  results.pictures() / fmt::format("chip_{:04d}.png", entry.index));
+  return true;
+}
+
+} // namespace swarf

@@ -1,0 +1,43 @@
+// One frame as VTK actors. Only for the .cpp files that draw.
+#pragma once
+#include "src/render.hpp"
+
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+
+namespace swarf {
+
+// A frame read back, with the array "shown" on particles and hexes: the field in the unit of its title.
+struct LoadedFrame {
+  FrameEntry entry;
+  vtkSmartPointer<vtkPolyData> particles, hexes, tool; // null where the frame has none
+  double spacing = 0;                                  // of the finest particles, m
+  std::array<double, 3> contact{};                     // where the tool presses, weighted by the force
+  bool in_contact = false;
+};
+
+struct ShownField {
+  std::string name, title;
+  double scale = 1;
+};
+ShownField describe_field(const std::string& name);
+
+LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, const ShownField& field);
+
+// What all views of a picture share.
+struct Camera {
+  std::array<double, 3> direction{0, 0, 1}, right{1, 0, 0}, up{0, 1, 0}; // of the image, in the world
+  double half_height = 0;                                                // m
+  bool section = false; // a thin slice seen along its axis: the tool is cut to the slice
+};
+
+vtkNew<vtkRenderer> make_view(const LoadedFrame& frame, const Camera& camera,
+                              const std::array<double, 3>& focus, vtkLookupTable* colours);
+vtkNew<vtkLookupTable> make_colours(double least, double most);
+
+} // namespace swarf
