@@ -23,7 +23,7 @@ namespace swarf {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int view_width = 640, view_height = 560, bar_height = 120; // pixels
+constexpr int view_width = 640, view_height = 560, bar_height = 130; // pixels
 using Point = std::array<double, 3>;
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -78,11 +78,11 @@ Camera make_camera(const PictureOptions& options, const Extent& extent, double s
   camera.up = cross(camera.direction, camera.right);
   const double aspect = double(view_width) / view_height;
   const double whole = 1.08 * std::max(extent.across(camera.right), extent.across(camera.up) * aspect);
-  double window = options.window;
-  if (window <= 0) window = spacing > 0 && whole > 110 * spacing ? 80 * spacing : whole;
+  double window = units_per_metre * options.window;
+  if (window <= 0) window = spacing > 0 && whole > 75 * spacing ? 60 * spacing : whole;
   follow = window < whole;
   camera.half_height = window / aspect / 2;
-  camera.section = along_z && extent.across(z) < 0.25 * window;
+  camera.section = along_z && extent.across(z) < 0.15 * window;
   return camera;
 }
 
@@ -96,8 +96,12 @@ Point find_focus(const std::vector<LoadedFrame>& frames, std::size_t k, const Po
   return fallback;
 }
 
+struct ColourRange {
+  double least, most, step;
+};
+
 // From the least value to the one that only 1 in 1000 particles exceeds, at round numbers.
-std::pair<double, double> find_range(const std::vector<LoadedFrame>& frames) {
+ColourRange find_range(const std::vector<LoadedFrame>& frames) {
   std::vector<float> values;
   for (const LoadedFrame& frame : frames)
     for (vtkPolyData* part : {frame.particles.Get(), frame.hexes.Get()}) {
@@ -108,7 +112,7 @@ std::pair<double, double> find_range(const std::vector<LoadedFrame>& frames) {
           for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
             if (std::isfinite(array->GetTuple1(i))) values.push_back(float(array->GetTuple1(i)));
     }
-  if (values.empty()) return {0, 1};
+  if (values.empty()) return {0, 1, 0.2};
   const auto quantile = [&](double share) {
     const auto at = values.begin() + long(share * double(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
@@ -116,9 +120,18 @@ std::pair<double, double> find_range(const std::vector<LoadedFrame>& frames) {
   };
   double least = quantile(0), most = quantile(0.999);
   if (most <= least) most = quantile(1);
-  if (most <= least) return {least, least + (least == 0 ? 1 : std::abs(least))};
+  if (most <= least)
+    return {least, least + (least == 0 ? 1 : std::abs(least)), (least == 0 ? 1 : std::abs(least)) / 4};
   const double step = std::pow(10, std::floor(std::log10(most - least))) / 2;
-  return {std::floor(least / step) * step, std::ceil(most / step) * step};
+  return {std::floor(least / step) * step, std::ceil(most / step) * step, step};
+}
+
+// Labels of the colour bar at round numbers: as many intervals as divide the range in whole steps, 3 to 7.
+int count_labels(ColourRange& range) {
+  int steps = int(std::lround((range.most - range.least) / range.step));
+  for (;; ++steps, range.most += range.step)
+    for (int intervals = 7; intervals >= 3; --intervals)
+      if (steps % intervals == 0) return intervals + 1;
 }
 
 void add_text(vtkRenderer* renderer, const std::string& words, int size, double x, double y,
@@ -135,50 +148,53 @@ void add_text(vtkRenderer* renderer, const std::string& words, int size, double 
 }
 
 std::string frame_label(const FrameEntry& entry) {
-  if (entry.immersion) return fmt::format("{:.1f}\u00b0", *entry.immersion);
+  if (entry.immersion) return fmt::format("immersion {:.1f}\u00b0", *entry.immersion);
   return entry.time < 1e-3 ? fmt::format("{:.3g} \u00b5s", entry.time * 1e6)
                            : fmt::format("{:.4g} ms", entry.time * 1e3);
 }
 
-// A bar of a round length, about a quarter of the view.
+// A bar of a round length, about a quarter of a view, at the lower left.
 void add_scale_bar(vtkRenderer* renderer, double metres_per_pixel) {
   const double wish = 0.25 * view_width * metres_per_pixel,
                power = std::pow(10, std::floor(std::log10(wish)));
   const double length = wish >= 5 * power ? 5 * power : wish >= 2 * power ? 2 * power : power;
+  const double left = 30, right = left + length / metres_per_pixel, height = 40;
   vtkNew<vtkLineSource> line;
-  line->SetPoint1(24, 24, 0);
-  line->SetPoint2(24 + length / metres_per_pixel, 24, 0);
+  line->SetPoint1(left, height, 0);
+  line->SetPoint2(right, height, 0);
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputConnection(line->GetOutputPort());
   vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0, 0, 0);
   actor->GetProperty()->SetLineWidth(6);
-  const std::string words =
-      length < 1e-3 ? fmt::format("{:.4g} \u00b5m", length * 1e6) : fmt::format("{:.4g} mm", length * 1e3);
-  add_text(renderer, words, 24, 24 + length / metres_per_pixel / 2, 34, true);
   renderer->AddActor2D(actor);
+  const bool small = length < 0.999e-3;
+  const std::string words = fmt::format("{:.4g} {}", length * (small ? 1e6 : 1e3), small ? "\u00b5m" : "mm");
+  add_text(renderer, words, 26, (left + right) / 2, height + 14, true);
 }
 
-vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& title) {
+vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& title, int labels,
+                                    int columns) {
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1, 1, 1);
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(colours);
   bar->SetOrientationToHorizontal();
-  bar->SetNumberOfLabels(6);
+  bar->SetNumberOfLabels(labels);
+  bar->SetMaximumNumberOfColors(256);
   bar->SetLabelFormat("%.4g");
   bar->UnconstrainedFontSizeOn();
-  for (vtkTextProperty* text : {bar->GetLabelTextProperty(), bar->GetTitleTextProperty()}) {
-    text->SetColor(0, 0, 0);
-    text->SetFontSize(24);
-    text->ItalicOff(), text->BoldOff(), text->ShadowOff();
-  }
-  bar->SetTitle(title.c_str());
-  bar->SetPosition(0.15, 0.05);
-  bar->SetWidth(0.7), bar->SetHeight(0.9);
-  bar->SetBarRatio(0.35);
+  vtkTextProperty* text = bar->GetLabelTextProperty();
+  text->SetColor(0, 0, 0);
+  text->SetFontSize(24);
+  text->ItalicOff(), text->BoldOff(), text->ShadowOff();
+  const double width = columns > 1 ? 1.2 / columns : 0.84;
+  bar->SetPosition(0.5 - width / 2, 0.06);
+  bar->SetWidth(width), bar->SetHeight(0.58);
+  bar->SetBarRatio(0.5);
   renderer->AddActor2D(bar);
+  add_text(renderer, title, 26, columns * view_width / 2.0, bar_height - 38, true);
   return renderer;
 }
 
@@ -221,8 +237,9 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
   const Extent extent = find_extent(frames);
   bool follow = false;
   const Camera camera = make_camera(options, extent, finest_spacing(frames), follow);
-  const auto [least, most] = find_range(frames);
-  const auto colours = make_colours(least, most);
+  ColourRange range = find_range(frames);
+  const int labels = count_labels(range);
+  const auto colours = make_colours(range.least, range.most);
 
   const int n = int(frames.size()), columns = n <= 4 ? n : (n + 1) / 2, rows = (n + columns - 1) / columns;
   const int width = columns * view_width, height = rows * view_height + bar_height;
@@ -230,17 +247,22 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(4);
   window->SetSize(width, height);
+  vtkNew<vtkRenderer> paper; // under all views: the last row may have a gap
+  paper->SetBackground(1, 1, 1);
+  window->AddRenderer(paper);
   for (int k = 0; k < n; ++k) {
     const Point focus = follow ? find_focus(frames, std::size_t(k), extent.centre()) : extent.centre();
     const auto view = make_view(frames[std::size_t(k)], camera, focus, colours);
     const double left = k % columns, bottom = height - (k / columns + 1.0) * view_height;
-    view->SetViewport(left / columns, bottom / height, (left + 1) / columns, (bottom + view_height) / height);
-    add_text(view, frame_label(frames[std::size_t(k)].entry), 34, 20, view_height - 56);
-    if (k == 0) add_scale_bar(view, 2 * camera.half_height / view_height);
+    const double gap = 3.0; // white, in pixels
+    view->SetViewport((left * view_width + gap) / width, (bottom + gap) / height,
+                      ((left + 1) * view_width - gap) / width, (bottom + view_height - gap) / height);
+    add_text(view, frame_label(frames[std::size_t(k)].entry), 30, 20, view_height - 50);
     window->AddRenderer(view);
   }
-  const auto bar = make_colour_bar(colours, field.title);
-  bar->SetViewport(0.5 - 0.5 / columns, 0, 0.5 + 0.5 / columns, double(bar_height) / height);
+  const auto bar = make_colour_bar(colours, field.title, labels, columns);
+  add_scale_bar(bar, 2 * camera.half_height / view_height / units_per_metre);
+  bar->SetViewport(0, 0, 1, double(bar_height) / height);
   window->AddRenderer(bar);
   write_png(window, png);
 }

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
 #include <vtkClipClosedSurface.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkFeatureEdges.h>
 #include <vtkFloatArray.h>
 #include <vtkOpenGLSphereMapper.h>
@@ -31,14 +33,29 @@ namespace {
 
 constexpr const char* shown = "shown";
 
+void scale_points(vtkPointSet* set) {
+  vtkPoints* points = set->GetPoints();
+  double x[3];
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+    points->GetPoint(i, x);
+    points->SetPoint(i, units_per_metre * x[0], units_per_metre * x[1], units_per_metre * x[2]);
+  }
+  points->Modified();
+}
+
 template <class Reader>
 void read(Reader* reader, const std::filesystem::path& file) {
   static_cast<void>(read_text(file).size()); // says what the system says if it is not there
+  vtkNew<vtkCallbackCommand> quiet;          // an observer keeps VTK from printing errors
+  reader->AddObserver(vtkCommand::ErrorEvent, quiet);
+  reader->SetParserErrorObserver(quiet);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
   reader->SetFileName(file.c_str());
   reader->Update();
   if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
     throw ResultsError(
         fmt::format("{}: is no frame that VTK can read; it was damaged after the run", file.string()));
+  scale_points(reader->GetOutput());
 }
 
 void add_shown(vtkDataSetAttributes* data, const ShownField& field, const std::filesystem::path& file) {
@@ -70,9 +87,9 @@ void add_radius(vtkPolyData* particles, double& spacing) {
   radius->SetName("radius");
   spacing = 0;
   for (vtkIdType i = 0; i < particles->GetNumberOfPoints(); ++i) {
-    const double size = volume ? std::cbrt(volume->GetComponent(i, 0)) : 0;
+    const double size = volume ? units_per_metre * std::cbrt(volume->GetComponent(i, 0)) : 0;
     if (size > 0 && (spacing == 0 || size < spacing)) spacing = size;
-    radius->InsertNextValue(float(0.66 * size));
+    radius->InsertNextValue(float(0.71 * size));
   }
   particles->GetPointData()->AddArray(radius);
 }
@@ -166,7 +183,6 @@ vtkSmartPointer<vtkPolyData> cut_to_slice(vtkPolyData* tool, const LoadedFrame& 
   vtkNew<vtkClipClosedSurface> clip;
   clip->SetInputData(tool);
   clip->SetClippingPlanes(planes);
-  clip->SetTolerance(1e-9);
   clip->Update();
   return clip->GetOutput()->GetNumberOfPolys() > 0 ? clip->GetOutput() : tool;
 }
@@ -232,6 +248,7 @@ LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, co
     read(reader.Get(), file);
     frame.particles = vtkSmartPointer<vtkPolyData>::New();
     frame.particles->SetPoints(reader->GetOutput()->GetPoints());
+    frame.particles->SetVerts(reader->GetOutput()->GetCells());
     frame.particles->GetPointData()->ShallowCopy(reader->GetOutput()->GetPointData());
     add_shown(frame.particles->GetPointData(), field, file);
     add_radius(frame.particles, frame.spacing);
@@ -286,8 +303,9 @@ vtkNew<vtkRenderer> make_view(const LoadedFrame& frame, const Camera& camera,
   vtkCamera* eye = renderer->GetActiveCamera();
   eye->ParallelProjectionOn();
   eye->SetFocalPoint(focus.data());
-  eye->SetPosition(focus[0] + camera.direction[0], focus[1] + camera.direction[1],
-                   focus[2] + camera.direction[2]);
+  const double distance = 10 * camera.half_height;
+  eye->SetPosition(focus[0] + distance * camera.direction[0], focus[1] + distance * camera.direction[1],
+                   focus[2] + distance * camera.direction[2]);
   eye->SetViewUp(camera.up.data());
   eye->SetParallelScale(camera.half_height);
   renderer->ResetCameraClippingRange();

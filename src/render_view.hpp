@@ -12,11 +12,15 @@
 
 namespace swarf {
 
-// A frame read back, with the array "shown" on particles and hexes: the field in the unit of its title.
+// Graphics cards compute in float and square lengths: micrometres suit them, metres do not.
+inline constexpr double units_per_metre = 1e6;
+
+// A frame read back, lengths times units_per_metre, with the array "shown" on particles and hexes: the field
+// in the unit of its title.
 struct LoadedFrame {
   FrameEntry entry;
   vtkSmartPointer<vtkPolyData> particles, hexes, tool; // null where the frame has none
-  double spacing = 0;                                  // of the finest particles, m
+  double spacing = 0;                                  // of the finest particles
   std::array<double, 3> contact{};                     // where the tool presses, weighted by the force
   bool in_contact = false;
 };

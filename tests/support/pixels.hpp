@@ -28,11 +28,11 @@ struct Pixels {
   const unsigned char* at(int x, int y) const {
     return static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
   }
-  // Pixels of columns [from, to) that accept(r, g, b).
+  // Pixels of columns [from, to), `bottom` rows left out, that accept(r, g, b).
   template <class Accept>
-  int count_if(int from, int to, Accept&& accept) const {
+  int count_if(int from, int to, Accept&& accept, int bottom = 0) const {
     int found = 0;
-    for (int y = 0; y < height(); ++y)
+    for (int y = bottom; y < height(); ++y)
       for (int x = from; x < to; ++x) found += accept(at(x, y)[0], at(x, y)[1], at(x, y)[2]);
     return found;
   }
