@@ -183,6 +183,13 @@ HistoryTable load(const ResultsFolder& results) {
   return history;
 }
 
+double largest_of(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double v : values)
+    if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
 // From 0 (or the least value) to the largest, with some air; spikes of raw samples do not count.
 std::pair<double, double> vertical_range(const std::vector<Curve>& curves, const std::vector<Level>& levels) {
   double least = 0, most = 0;
@@ -202,10 +209,13 @@ void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
   const HistoryTable filtered = filter_history(history, filter_frequency);
   const Axis axis = horizontal_axis(history);
 
-  const std::vector<Curve> thick{{"F_x", filtered.at("force_x"), blue, 3},
-                                 {"F_y", filtered.at("force_y"), vermilion, 3},
-                                 {"F_z", filtered.at("force_z"), green, 3},
-                                 {"planar resultant", filtered.at("force_planar"), black, 5}};
+  std::vector<Curve> thick{{"F_x", filtered.at("force_x"), blue, 3},
+                           {"F_y", filtered.at("force_y"), vermilion, 3},
+                           {"F_z", filtered.at("force_z"), green, 3},
+                           {"planar resultant", filtered.at("force_planar"), black, 5}};
+  const auto& planar = filtered.at("force_planar");
+  const bool is_planar = largest_of(planar) > 0.01 * largest_of(filtered.at("force_z"));
+  if (!is_planar) thick.erase(thick.begin(), thick.begin() + 2), thick.pop_back(); // a blow along z
   std::vector<Level> levels;
   for (const LabelledForce& force : published)
     levels.push_back({fmt::format("{} ({} N)", force.label, force.force), force.force});
@@ -213,7 +223,8 @@ void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
 
   Chart chart("Force on the tool", axis.title, "Force [N]");
   chart.add(axis.values,
-            {"unfiltered resultant", history.at("force_planar"), grey, 1, vtkPen::SOLID_LINE, 110});
+            {is_planar ? "unfiltered resultant" : "unfiltered F_z",
+             history.at(is_planar ? "force_planar" : "force_z"), grey, 1, vtkPen::SOLID_LINE, 110});
   for (const Level& level : levels)
     chart.add({axis.values.front(), axis.values.back()},
               {"", {level.value, level.value}, grey, 2.5, vtkPen::DASH_LINE});
@@ -231,8 +242,8 @@ void plot_energies(const ResultsFolder& results, const std::filesystem::path& pn
       {"kinetic_energy", sky},     {"viscous_work", green},     {"hourglass_work", purple},
       {"contact_energy", grey},    {"tie_work", {150, 110, 60}}};
 
-  double largest = 0;
-  for (const double v : history.at("external_work")) largest = std::max(largest, std::abs(v));
+  double largest = largest_of(history.at("external_work"));
+  for (const auto& term : terms) largest = std::max(largest, largest_of(history.at(term.first)));
   const auto [scale, unit] = largest < 1e-6   ? std::pair(1e9, "nJ")
                              : largest < 1e-3 ? std::pair(1e6, "\u00b5J")
                              : largest < 1    ? std::pair(1e3, "mJ")
@@ -249,8 +260,7 @@ void plot_energies(const ResultsFolder& results, const std::filesystem::path& pn
   std::vector<Curve> curves{{"external work", scaled("external_work"), black, 5}};
   for (const auto& [name, colour] : terms) {
     const auto values = scaled(name);
-    const bool all_zero = std::all_of(values.begin(), values.end(), [](double v) { return v == 0; });
-    if (!all_zero) curves.push_back({label(name), values, colour, 3});
+    if (largest_of(values) > 0) curves.push_back({label(name), values, colour, 3});
   }
   curves.push_back({"energy residual", scaled("energy_residual"), black, 2.5, vtkPen::DASH_LINE});
 

@@ -23,79 +23,7 @@ namespace swarf {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int view_width = 640, view_height = 560, bar_height = 130; // pixels
-using Point = std::array<double, 3>;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Point unit(const Point& a) {
-  const double length = std::sqrt(dot(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-struct Extent { // of what is drawn, along the axes of the image and of the world
-  Point least{1e300, 1e300, 1e300}, most{-1e300, -1e300, -1e300};
-  void add(const double* box) {
-    for (std::size_t c = 0; c < 3; ++c)
-      least[c] = std::min(least[c], box[2 * c]), most[c] = std::max(most[c], box[2 * c + 1]);
-  }
-  Point centre() const {
-    return {(least[0] + most[0]) / 2, (least[1] + most[1]) / 2, (least[2] + most[2]) / 2};
-  }
-  double across(const Point& axis) const { // of the box, projected
-    double sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) sum += std::abs(axis[c]) * (most[c] - least[c]);
-    return sum;
-  }
-};
-
-Extent find_extent(const std::vector<LoadedFrame>& frames) {
-  Extent extent;
-  for (const LoadedFrame& frame : frames)
-    if (frame.particles)
-      extent.add(frame.particles->GetBounds());
-    else if (frame.hexes)
-      extent.add(frame.hexes->GetBounds());
-  return extent;
-}
-
-double finest_spacing(const std::vector<LoadedFrame>& frames) {
-  double spacing = 0;
-  for (const LoadedFrame& frame : frames)
-    if (frame.spacing > 0) spacing = spacing == 0 ? frame.spacing : std::min(spacing, frame.spacing);
-  return spacing;
-}
-
-// All particles if they are few across; else a window in which each is a few pixels wide.
-Camera make_camera(const PictureOptions& options, const Extent& extent, double spacing, bool& follow) {
-  Camera camera;
-  camera.direction = unit(options.view);
-  const Point z{0, 0, 1}, y{0, 1, 0};
-  const bool along_z = std::abs(camera.direction[2]) > 0.999;
-  camera.right = unit(cross(along_z ? y : z, camera.direction));
-  camera.up = cross(camera.direction, camera.right);
-  const double aspect = double(view_width) / view_height;
-  const double whole = 1.08 * std::max(extent.across(camera.right), extent.across(camera.up) * aspect);
-  double window = units_per_metre * options.window;
-  if (window <= 0) window = spacing > 0 && whole > 75 * spacing ? 60 * spacing : whole;
-  follow = window < whole;
-  camera.half_height = window / aspect / 2;
-  camera.section = along_z && extent.across(z) < 0.15 * window;
-  return camera;
-}
-
-// Where the tool presses; before and after it does, where it pressed in the nearest frame.
-Point find_focus(const std::vector<LoadedFrame>& frames, std::size_t k, const Point& fallback) {
-  for (std::size_t distance = 0; distance < frames.size(); ++distance)
-    for (const bool later : {false, true}) {
-      const std::size_t other = later ? k + distance : k - distance; // wraps below 0, then is too large
-      if (other < frames.size() && frames[other].in_contact) return frames[other].contact;
-    }
-  return fallback;
-}
-
+constexpr int bar_height = 130; // pixels
 struct ColourRange {
   double least, most, step;
 };
@@ -154,9 +82,9 @@ std::string frame_label(const FrameEntry& entry) {
 }
 
 // A bar of a round length, about a quarter of a view, at the lower left.
-void add_scale_bar(vtkRenderer* renderer, double metres_per_pixel) {
-  const double wish = 0.25 * view_width * metres_per_pixel,
-               power = std::pow(10, std::floor(std::log10(wish)));
+void add_scale_bar(vtkRenderer* renderer, const Camera& camera) {
+  const double metres_per_pixel = 2 * camera.half_height / camera.height / units_per_metre;
+  const double wish = 160 * metres_per_pixel, power = std::pow(10, std::floor(std::log10(wish)));
   const double length = wish >= 5 * power ? 5 * power : wish >= 2 * power ? 2 * power : power;
   const double left = 30, right = left + length / metres_per_pixel, height = 40;
   vtkNew<vtkLineSource> line;
@@ -175,7 +103,7 @@ void add_scale_bar(vtkRenderer* renderer, double metres_per_pixel) {
 }
 
 vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& title, int labels,
-                                    int columns) {
+                                    int picture_width) {
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1, 1, 1);
   vtkNew<vtkScalarBarActor> bar;
@@ -189,12 +117,12 @@ vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& 
   text->SetColor(0, 0, 0);
   text->SetFontSize(24);
   text->ItalicOff(), text->BoldOff(), text->ShadowOff();
-  const double width = columns > 1 ? 1.2 / columns : 0.84;
+  const double width = std::min(0.55, 780.0 / picture_width);
   bar->SetPosition(0.5 - width / 2, 0.06);
   bar->SetWidth(width), bar->SetHeight(0.58);
   bar->SetBarRatio(0.5);
   renderer->AddActor2D(bar);
-  add_text(renderer, title, 26, columns * view_width / 2.0, bar_height - 38, true);
+  add_text(renderer, title, 26, picture_width / 2.0, bar_height - 38, true);
   return renderer;
 }
 
@@ -234,15 +162,16 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
   if (frames.empty())
     throw ResultsError(results.path.string() + ": has no frames to draw; set output.frame_time or "
                                                "output.frame_immersion in the deck and run it again");
-  const Extent extent = find_extent(frames);
-  bool follow = false;
-  const Camera camera = make_camera(options, extent, finest_spacing(frames), follow);
+  const Camera camera = aim_camera(options, frames);
   ColourRange range = find_range(frames);
   const int labels = count_labels(range);
   const auto colours = make_colours(range.least, range.most);
 
-  const int n = int(frames.size()), columns = n <= 4 ? n : (n + 1) / 2, rows = (n + columns - 1) / columns;
-  const int width = columns * view_width, height = rows * view_height + bar_height;
+  const int n = int(frames.size()), columns = n <= 4 || n * camera.width <= 2600 ? n : (n + 1) / 2;
+  const int rows = (n + columns - 1) / columns;
+  // Room for the scale and colour bars even where one narrow view stands alone.
+  const int views_width = columns * camera.width, width = std::max(views_width, 800);
+  const int height = rows * camera.height + bar_height;
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(4);
@@ -251,17 +180,17 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
   paper->SetBackground(1, 1, 1);
   window->AddRenderer(paper);
   for (int k = 0; k < n; ++k) {
-    const Point focus = follow ? find_focus(frames, std::size_t(k), extent.centre()) : extent.centre();
-    const auto view = make_view(frames[std::size_t(k)], camera, focus, colours);
-    const double left = k % columns, bottom = height - (k / columns + 1.0) * view_height;
-    const double gap = 3.0; // white, in pixels
-    view->SetViewport((left * view_width + gap) / width, (bottom + gap) / height,
-                      ((left + 1) * view_width - gap) / width, (bottom + view_height - gap) / height);
-    add_text(view, frame_label(frames[std::size_t(k)].entry), 30, 20, view_height - 50);
+    const auto view =
+        make_view(frames[std::size_t(k)], camera, find_focus(camera, frames, std::size_t(k)), colours);
+    const double left = k % columns * camera.width + (width - views_width) / 2.0;
+    const double bottom = height - (k / columns + 1.0) * camera.height, gap = 3; // white, between views
+    view->SetViewport((left + gap) / width, (bottom + gap) / height, (left + camera.width - gap) / width,
+                      (bottom + camera.height - gap) / height);
+    add_text(view, frame_label(frames[std::size_t(k)].entry), 30, 20, camera.height - 50);
     window->AddRenderer(view);
   }
-  const auto bar = make_colour_bar(colours, field.title, labels, columns);
-  add_scale_bar(bar, 2 * camera.half_height / view_height / units_per_metre);
+  const auto bar = make_colour_bar(colours, field.title, labels, width);
+  add_scale_bar(bar, camera);
   bar->SetViewport(0, 0, 1, double(bar_height) / height);
   window->AddRenderer(bar);
   write_png(window, png);
