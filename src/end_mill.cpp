@@ -41,8 +41,6 @@ Section make_tooth(const ToolDeck& tool) {
   const double heel_radius = std::hypot(heel[0], heel[1]), heel_angle = angle_from_y(heel);
   if (core > 0.95 * heel_radius) refuse("core_ratio", "leaves no flute; take a smaller core_ratio");
   const double next_foot = angle_from_y(foot) + pitch, back_end = heel_angle + 0.6 * (next_foot - heel_angle);
-  if (next_foot - heel_angle < 0.2 * pitch)
-    refuse("flutes", "no room for a flute; take fewer flutes, a smaller clearance or a larger rake");
 
   Section tooth{foot};
   tooth.insert(tooth.end(), edge.begin(), edge.end());

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
 namespace swarf {
 namespace {
 
-constexpr long most_cells = 2'000'000;
+constexpr long most_cells = 4'000'000;
 
 Vector3 to_vector(const Triple& t) { return {Real(t[0]), Real(t[1]), Real(t[2])}; }
 Triple minus(const Triple& a, const Triple& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -75,7 +74,7 @@ struct GridBuilder {
   void for_each_near_cell(const Triangle& t, Real within, Visitor&& visit) const;
 };
 
-// Cells of size reach, as long as they are not too many; a margin in which points near the surface lie.
+// Cells of half the reach, as long as they are not too many; a margin in which points near the surface lie.
 void GridBuilder::place(double reach) {
   Vector3 low = triangles.front().a, high = low;
   for (const Triangle& t : triangles)
@@ -85,7 +84,7 @@ void GridBuilder::place(double reach) {
     }
   const Real margin = Real(reach);
   const Vector3 size = high - low + Vector3{2 * margin, 2 * margin, 2 * margin};
-  double edge = reach;
+  double edge = reach / 2;
   const auto count = [&edge](Real length) { return long(std::ceil(double(length) / edge)) + 1; };
   while (double(count(size.x)) * double(count(size.y)) * double(count(size.z)) > most_cells) edge *= 1.1;
   tool.cell_size = Real(edge);
@@ -117,7 +116,8 @@ void GridBuilder::for_each_near_cell(const Triangle& t, Real within, Visitor&& v
 // at the centre c. A cell comes within reach only if min_s d_s(c) <= reach + r.
 struct Candidates {
   std::vector<Real> nearest; // facet's distance from each centre, infinite where the cell stays empty
-  std::vector<int> start, facet;
+  std::vector<int> start;
+  std::vector<std::pair<Real, int>> listed; // distance from the centre, facet; in this order within a cell
 };
 
 Candidates find_candidates(const GridBuilder& grid) {
@@ -132,19 +132,26 @@ Candidates find_candidates(const GridBuilder& grid) {
     grid.for_each_near_cell(t, touch,
                             [&](long c, Real d) { result.nearest[c] = std::min(result.nearest[c], d); });
 
-  std::vector<std::pair<long, int>> pairs;
+  struct Pair {
+    int cell, facet;
+    Real distance;
+  };
+  std::vector<Pair> pairs;
   for (std::size_t f = 0; f < grid.triangles.size(); ++f)
     grid.for_each_near_cell(grid.triangles[f], touch + 2 * grid.half_diagonal + slack, [&](long c, Real d) {
       // infinite <= infinite must not pass: such cells are empty.
       if (result.nearest[c] <= touch && d <= result.nearest[c] + 2 * grid.half_diagonal + slack)
-        pairs.emplace_back(c, int(f));
+        pairs.push_back({int(c), int(f), d});
     });
+
   result.start.assign(std::size_t(grid.cells()) + 1, 0);
-  for (const auto& [c, f] : pairs) ++result.start[c + 1];
+  for (const Pair& p : pairs) ++result.start[p.cell + 1];
   for (std::size_t c = 1; c < result.start.size(); ++c) result.start[c] += result.start[c - 1];
   std::vector<int> next(result.start.begin(), result.start.end() - 1);
-  result.facet.resize(pairs.size());
-  for (const auto& [c, f] : pairs) result.facet[next[c]++] = f;
+  result.listed.resize(pairs.size());
+  for (const Pair& p : pairs) result.listed[next[p.cell]++] = {p.distance, p.facet};
+  for (std::size_t c = 0; c + 1 < result.start.size(); ++c)
+    std::sort(result.listed.begin() + result.start[c], result.listed.begin() + result.start[c + 1]);
   return result;
 }
 
@@ -188,9 +195,9 @@ std::vector<char> find_deep_cells(const GridBuilder& grid, const Candidates& can
   return state;
 }
 
-template <class Data>
-void upload(IndexField& field, const char* label, const Data& data) {
-  field = IndexField(label, data.size());
+template <class Field, class Data>
+void upload(Field& field, const char* label, const Data& data) {
+  field = Field(label, data.size());
   const auto host = Kokkos::create_mirror_view(field);
   for (std::size_t i = 0; i < data.size(); ++i) host(i) = data[i];
   Kokkos::deep_copy(field, host);
@@ -198,15 +205,17 @@ void upload(IndexField& field, const char* label, const Data& data) {
 
 void upload_grid(Tool& tool, const Candidates& candidates, const std::vector<char>& deep) {
   std::vector<int> start{0}, facet;
+  std::vector<Real> distance;
   start.reserve(candidates.start.size());
   for (std::size_t c = 0; c + 1 < candidates.start.size(); ++c) {
-    facet.insert(facet.end(), candidates.facet.begin() + candidates.start[c],
-                 candidates.facet.begin() + candidates.start[c + 1]);
-    if (deep[c]) facet.push_back(Tool::deep_inside);
+    for (int e = candidates.start[c]; e < candidates.start[c + 1]; ++e)
+      facet.push_back(candidates.listed[e].second), distance.push_back(candidates.listed[e].first);
+    if (deep[c]) facet.push_back(Tool::deep_inside), distance.push_back(0);
     start.push_back(int(facet.size()));
   }
   upload(tool.cell_start, "tool_cell_start", start);
   upload(tool.cell_facet, "tool_cell_facet", facet);
+  upload(tool.facet_distance, "tool_facet_distance", distance);
 }
 
 void upload_facets(Tool& tool, const FacetSurface& surface, const Pseudonormals& normals) {

@@ -53,36 +53,45 @@ SWARF_FN Triangle load_facet(const Tool& tool, int f) {
           {tool.pseudonormal(f, 0, 0), tool.pseudonormal(f, 0, 1), tool.pseudonormal(f, 0, 2)}};
 }
 
-// Cell of the grid that holds x, or -1.
-SWARF_FN int find_cell(const Tool& tool, const Vector3& x) {
+struct CellPlace {
+  int cell = -1;        // -1: outside the grid
+  Real from_centre = 0; // m
+};
+
+SWARF_FN CellPlace find_cell(const Tool& tool, const Vector3& x) {
   const Vector3 r = (Real(1) / tool.cell_size) * (x - tool.grid_origin);
   // Compared as reals: a far or non-finite point must not overflow the integer.
-  if (!(r.x >= 0 && r.y >= 0 && r.z >= 0)) return -1;
-  if (!(r.x < Real(tool.cells[0]) && r.y < Real(tool.cells[1]) && r.z < Real(tool.cells[2]))) return -1;
-  return int(r.x) + tool.cells[0] * (int(r.y) + tool.cells[1] * int(r.z));
+  if (!(r.x >= 0 && r.y >= 0 && r.z >= 0)) return {};
+  if (!(r.x < Real(tool.cells[0]) && r.y < Real(tool.cells[1]) && r.z < Real(tool.cells[2]))) return {};
+  const int i = int(r.x), j = int(r.y), k = int(r.z);
+  const Real half = Real(0.5);
+  const Vector3 d{r.x - Real(i) - half, r.y - Real(j) - half, r.z - Real(k) - half};
+  return {i + tool.cells[0] * (j + tool.cells[1] * k), tool.cell_size * norm(d)};
 }
 
 // Sign by the angle-weighted pseudonormal of the nearest feature: Baerentzen & Aanaes, IEEE TVCG 11 (2005)
 // 243.
 SWARF_FN ToolDistance signed_distance(const Tool& tool, const Vector3& x) {
   ToolDistance result;
-  const int cell = find_cell(tool, x);
-  if (cell < 0) return result;
-  const int begin = tool.cell_start(cell), end = tool.cell_start(cell + 1);
+  const CellPlace place = find_cell(tool, x);
+  if (place.cell < 0) return result;
+  const int begin = tool.cell_start(place.cell), end = tool.cell_start(place.cell + 1);
   if (begin == end) return result;
   if (tool.cell_facet(begin) == Tool::deep_inside) {
     result.where = ToolDistance::Where::deep_inside;
     return result;
   }
   Real best = Kokkos::Experimental::infinity_v<Real>;
+  Real last = best; // a facet farther than this from the cell's centre is farther from x than the best one
   int feature = 0;
-  for (int e = begin; e < end; ++e) {
+  for (int e = begin; e < end && tool.facet_distance(e) <= last; ++e) {
     const int f = tool.cell_facet(e);
     const NearestOnTriangle nearest = nearest_on_triangle(load_facet(tool, f), x);
     const Vector3 d = x - nearest.point;
     const Real squared = dot(d, d);
-    if (squared < best)
-      best = squared, feature = nearest.feature, result.point = nearest.point, result.facet = f;
+    if (squared >= best) continue;
+    best = squared, feature = nearest.feature, result.point = nearest.point, result.facet = f;
+    last = Real(1.00001) * (Kokkos::sqrt(best) + place.from_centre); // more than round-off
   }
   const Vector3 pseudonormal{tool.pseudonormal(result.facet, feature, 0),
                              tool.pseudonormal(result.facet, feature, 1),

@@ -1,0 +1,200 @@
+// Faults of surfaces and STL files, each with the facet named; and files that come back as they went.
+#include "tool_shapes.hpp"
+
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace swarf::test {
+namespace {
+
+// Facets 1 to 4 of a tetrahedron with corners 0, e_x, e_y, e_z.
+FacetSurface make_tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+std::string fault_of(const FacetSurface& s) {
+  return message_of<DeckError>([&] { check_surface(s, "tool.stl"); });
+}
+void expect_text(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
+}
+
+TEST(CheckSurface, AcceptsAClosedOutwardSurface) { EXPECT_EQ(fault_of(make_tetrahedron()), ""); }
+
+TEST(CheckSurface, NamesTheInvertedFacet) {
+  // In a cube of 12 facets every neighbour of the inverted one disagrees with it alone.
+  ToolDeck wall = make_wall_deck();
+  for (int f = 0; f < 12; ++f) {
+    FacetSurface s = make_wall(wall);
+    std::swap(s.facets[f][1], s.facets[f][2]);
+    expect_text(fault_of(s),
+                {"tool.stl: facet " + std::to_string(f + 1) + " with corners (",
+                 "is inverted: it is turned against 3 of its 3 neighbours", "counter-clockwise"});
+  }
+}
+
+TEST(CheckSurface, NamesAFacetAtAnOpenEdge) {
+  FacetSurface s = make_tetrahedron();
+  s.facets.pop_back();
+  expect_text(fault_of(s), {"facet 1 with corners (0, 0, 0), (0, 1, 0), (1, 0, 0) m",
+                            "its edge (1, 0, 0) to (0, 1, 0) m is open", "close the hole"});
+}
+
+TEST(CheckSurface, RefusesASurfaceInsideOut) {
+  FacetSurface s = make_tetrahedron();
+  for (auto& f : s.facets) std::swap(f[1], f[2]);
+  expect_text(fault_of(s),
+              {"facet 1 with corners", "is inside out (volume -0.167 m3)", "turn all its facets"});
+}
+
+TEST(CheckSurface, NamesThePartThatIsInsideOut) {
+  FacetSurface s = make_tetrahedron();
+  for (const Triple& v : make_tetrahedron().vertices) s.vertices.push_back({v[0] + 5, v[1], v[2]});
+  for (const auto& [a, b, c] : make_tetrahedron().facets) s.facets.push_back({a + 4, c + 4, b + 4});
+  expect_text(fault_of(s), {"facet 5 with corners (5, 0, 0)", "inside out"});
+}
+
+TEST(CheckSurface, NamesAFacetWithoutArea) {
+  FacetSurface s = make_tetrahedron();
+  s.facets.push_back({1, 1, 2});
+  expect_text(fault_of(s), {"facet 5 with corners (1, 0, 0), (1, 0, 0), (0, 1, 0) m has no area"});
+  s = make_tetrahedron();
+  s.vertices.push_back({0.5, 0.5, 0});
+  s.facets.push_back({1, 4, 2}); // three corners in line
+  expect_text(fault_of(s), {"facet 5", "has no area"});
+}
+
+TEST(CheckSurface, NamesAnEdgeOfMoreThanTwoFacets) {
+  FacetSurface s = make_tetrahedron(); // a second one that shares the edge from 0 to e_z
+  s.vertices.push_back({-1, 0, 0}), s.vertices.push_back({0, -1, 0});
+  for (const auto& f : {std::array{0, 5, 4}, {0, 4, 3}, {0, 3, 5}, {4, 5, 3}}) s.facets.push_back(f);
+  expect_text(fault_of(s), {"facet 3", "(0, 0, 0) to (0, 0, 1) m is shared by 4 facets instead of 2"});
+}
+
+TEST(CheckSurface, RefusesNoFacetsAndInfiniteCorners) {
+  expect_text(fault_of({}), {"no facets"});
+  FacetSurface s = make_tetrahedron();
+  s.vertices[3][1] = INFINITY;
+  expect_text(fault_of(s), {"facet 2", "not finite"});
+}
+
+// --- files
+std::string read_bytes(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+TEST(Stl, EveryGeneratedToolComesBackWholeAndTwiceTheSame) {
+  const TemporaryFolder folder;
+  for (const ToolDeck& deck : {make_mill(), make_wedge_deck(), make_wall_deck()}) {
+    const FacetSurface s = make_tool_surface(deck, "");
+    const std::string one = (folder / "one.stl").string(), two = (folder / "two.stl").string();
+    write_stl(s, one);
+    const FacetSurface back = read_stl(one, 1);
+    EXPECT_NO_THROW(check_surface(back, "back"));
+    ASSERT_EQ(back.facets.size(), s.facets.size());
+    ASSERT_EQ(back.vertices.size(), s.vertices.size()); // merged exactly
+    for (std::size_t f = 0; f < s.facets.size(); ++f)
+      for (int k = 0; k < 3; ++k)
+        for (int d = 0; d < 3; ++d)
+          ASSERT_EQ(float(back.vertices[back.facets[f][k]][d]), float(s.vertices[s.facets[f][k]][d]));
+    write_stl(back, two);
+    EXPECT_EQ(read_bytes(one).size(), 84 + 50 * s.facets.size());
+    write_stl(s, two);
+    EXPECT_EQ(read_bytes(one), read_bytes(two));
+  }
+}
+
+const char* const ascii_tetrahedron = R"(solid a tool
+facet normal 0 0 -1
+ outer loop
+  vertex 0 0 0
+  vertex 0 1 0
+  vertex 1 0 0
+ endloop
+endfacet
+facet normal 0 -1 0
+ outer loop
+  vertex 0 0 0
+  vertex 1 0 0
+  vertex -0 0 1e0
+ endloop
+endfacet
+facet normal -1 0 0
+ outer loop
+  vertex 0 0 0
+  vertex 0 0 1
+  vertex 0 1 0
+ endloop
+endfacet
+facet normal 1 1 1
+ outer loop
+  vertex 1 0 0
+  vertex 0 1 0
+  vertex 0 0 1
+ endloop
+endfacet
+endsolid a tool
+)";
+
+TEST(Stl, ReadsAsciiWithItsUnit) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "t.stl", ascii_tetrahedron);
+  ToolDeck deck;
+  deck.kind = "stl", deck.file = "t.stl", deck.file_scale = 1e-3;
+  const FacetSurface s = make_tool_surface(deck, folder.path.string());
+  EXPECT_EQ(s.facets.size(), 4u);
+  EXPECT_EQ(s.vertices.size(), 4u);
+  EXPECT_EQ(s.vertices[1], (Triple{0, 1e-3, 0}));
+}
+
+std::string fault_of_file(const std::string& bytes) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "t.stl", bytes);
+  return message_of<DeckError>([&] { read_stl((folder / "t.stl").string(), 1); });
+}
+
+TEST(Stl, FaultsOfFilesAreNamed) {
+  expect_text(message_of<DeckError>([] { read_stl("no/such/tool.stl", 1); }),
+              {"no/such/tool.stl: cannot be read", "relative to the deck"});
+  expect_text(fault_of_file(""), {"neither an ASCII STL"});
+  expect_text(fault_of_file("PNG and so on"), {"t.stl: neither an ASCII STL", "export or copy it again"});
+  const std::string ascii = ascii_tetrahedron;
+  expect_text(fault_of_file(ascii.substr(0, 300)), {"without \"endsolid\": cut short"});
+  std::string bad = ascii;
+  bad.replace(bad.find("vertex 0 1 0"), 12, "vertex 0 x 0");
+  expect_text(fault_of_file(bad), {"t.stl:5: expected \"vertex x y z\" with three numbers"});
+  bad = ascii, bad.replace(bad.find("vertex 0 1 0"), 12, "            ");
+  expect_text(fault_of_file(bad), {"t.stl:7: facet 1 has 2 corners instead of 3"});
+  bad = ascii, bad.replace(bad.find("outer loop"), 10, "outre loop");
+  expect_text(fault_of_file(bad), {"t.stl:3: \"outre\" is no word"});
+}
+
+TEST(Stl, FaultsOfBinaryFilesAreNamed) {
+  const TemporaryFolder folder;
+  write_stl(make_wall(make_wall_deck()), (folder / "t.stl").string());
+  const std::string whole = read_bytes(folder / "t.stl");
+  expect_text(fault_of_file(whole.substr(0, whole.size() - 20)),
+              {"12 facets need 684 bytes, the file has 664"});
+  std::string bad = whole;
+  const float nan = NAN;
+  std::memcpy(bad.data() + 84 + 3 * 50 + 12, &nan, sizeof nan);
+  expect_text(fault_of_file(bad), {"facet 4 has a corner that is not a finite number"});
+}
+
+TEST(Stl, UnwritableFileIsAnError) {
+  expect_text(message_of<DeckError>([] { write_stl(make_wall(make_wall_deck()), "/no/such/folder/t.stl"); }),
+              {"/no/such/folder/t.stl: cannot be written"});
+}
+
+} // namespace
+} // namespace swarf::test
