@@ -14,15 +14,14 @@ namespace {
 
 // The cluster's own values and sums.
 struct ForceSums {
-  Vector3Of<Pack> neighbor_stress;   // sum V_j [P_j + f^n R_j - q] grad W
-  Vector3Of<Pack> gradient;          // sum V_j grad W, meets P_i afterwards
-  Vector3Of<Pack> weighted_gradient; // sum V_j f^n grad W, meets R_i afterwards
-  Pack viscous_power;                // sum V_j q grad W . v_ij
+  Vector3Of<Pack> neighbor_stress;     // sum V_j [P_j + f^n R_j - q] grad W
+  Vector3Of<Pack> gradient;            // sum V_j grad W, meets P_i afterwards
+  Pack viscous_power, hourglass_power; // sum V_j q grad W . v_ij
 };
 
 struct Cluster {
   Vector3Of<Pack> x, v;
-  Symmetric3Of<Pack> D;
+  Symmetric3Of<Pack> D, R;
   Pack inverse_h, impedance, density;
 };
 
@@ -32,23 +31,26 @@ KOKKOS_FORCEINLINE_FUNCTION Pack quadratic_form(const Symmetric3Of<Pack>& a, con
          two * (a.xy * x.x * x.y + a.yz * x.y * x.z + a.zx * x.z * x.x);
 }
 
-// q_ij of the pair; zero for pairs that part. xv = x_ij . v_ij.
-KOKKOS_FORCEINLINE_FUNCTION Pack pair_viscosity(const Cluster& i, const Particles& p, int j,
-                                                const Vector3Of<Pack>& x_ij, const Pack& xv,
-                                                const Pack& inverse_h, const ParticleMethod& m) {
+struct PairViscosity {
+  Pack shock, hourglass; // Pa
+};
+
+// xv = x_ij . v_ij. The shock's part is zero for pairs that part; the weaker of v_ij and what is left of it
+// counts, so that it never feeds energy.
+KOKKOS_FORCEINLINE_FUNCTION PairViscosity pair_viscosity(const Cluster& i, const Particles& p, int j,
+                                                         const Vector3Of<Pack>& x_ij, const Pack& xv,
+                                                         const Pack& inverse_h, const ParticleMethod& m) {
   const Pack zero(Real(0)), half(Real(0.5));
+  const Pack beyond_linear = xv - half * quadratic_form(i.D + broadcast_symmetric(p.strain_rate, j), x_ij);
   Pack approach = Kokkos::min(xv, zero);
-  if (m.reconstruct_viscosity) {
-    const auto D = i.D + broadcast_symmetric(p.strain_rate, j);
-    const Pack beyond_linear = xv - half * quadratic_form(D, x_ij);
-    approach =
-        Kokkos::max(approach, Kokkos::min(beyond_linear, zero)); // the weaker of both: never feeds energy
-  }
+  if (m.reconstruct_viscosity) approach = Kokkos::max(approach, Kokkos::min(beyond_linear, zero));
   const Pack r2h2 = dot(x_ij, x_ij) * inverse_h * inverse_h;
-  const Pack mu = approach * inverse_h / (r2h2 + Pack(Real(0.01)));
+  const Pack per_length = inverse_h / (r2h2 + Pack(Real(0.01)));
+  const Pack mu = approach * per_length;
   const Pack Z = half * (i.impedance + Pack(p.impedance(j, 0)));
   const Pack rho = half * (i.density + Pack(p.impedance(j, 1)));
-  return mu * (Pack(m.viscosity_quadratic) * rho * mu - Pack(m.viscosity_linear) * Z);
+  return {mu * (Pack(m.viscosity_quadratic) * rho * mu - Pack(m.viscosity_linear) * Z),
+          Pack(-m.hourglass_viscosity) * Z * (beyond_linear * per_length)};
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const ParticleMethod& m) {
@@ -66,14 +68,18 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
   const Pack inverse_h = mean_inverse_h(i.inverse_h, p.smoothing_length(j));
   const auto grad = (Pack(p.volume(j)) * pair_slope(x_ij, inverse_h)) * x_ij;
   const Pack xv = dot(x_ij, v_ij);
-  const Pack q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
+  const PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
   s.gradient = s.gradient + grad;
-  s.neighbor_stress = s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - q * grad;
-  s.viscous_power += q * dot(grad, v_ij);
+  s.neighbor_stress =
+      s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - (q.shock + q.hourglass) * grad;
+  const Pack rate = dot(grad, v_ij);
+  s.viscous_power += q.shock * rate;
+  s.hourglass_power += q.hourglass * rate;
   if constexpr (artificial) {
-    const auto weighted = artificial_weight(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h, m) * grad;
-    s.weighted_gradient = s.weighted_gradient + weighted;
-    s.neighbor_stress = s.neighbor_stress + multiply(broadcast_symmetric(p.artificial_stress, j), weighted);
+    const Pack weight = artificial_weight(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h, m);
+    const auto repulsion = multiply(i.R + broadcast_symmetric(p.artificial_stress, j), weight * grad);
+    s.neighbor_stress = s.neighbor_stress + repulsion;
+    s.hourglass_power -= dot(repulsion, v_ij);
   }
 }
 
@@ -81,10 +87,14 @@ template <bool artificial>
 KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& n, int cluster,
                                            const Lanes& lanes, const ParticleMethod& m) {
   const Pack zero(Real(0));
-  ForceSums s{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}, zero};
-  const Cluster i{lanes.load_vector(p.position),       lanes.load_vector(p.velocity),
-                  lanes.load_symmetric(p.strain_rate), Pack(Real(1)) / lanes.load(p.smoothing_length),
-                  lanes.load(p.impedance, 0),          lanes.load(p.impedance, 1)};
+  ForceSums s{{zero, zero, zero}, {zero, zero, zero}, zero, zero};
+  const Cluster i{.x = lanes.load_vector(p.position),
+                  .v = lanes.load_vector(p.velocity),
+                  .D = lanes.load_symmetric(p.strain_rate),
+                  .R = lanes.load_symmetric(p.artificial_stress),
+                  .inverse_h = Pack(Real(1)) / lanes.load(p.smoothing_length),
+                  .impedance = lanes.load(p.impedance, 0),
+                  .density = lanes.load(p.impedance, 1)};
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k)
     add_pair<artificial>(s, i, p, n.neighbor(k), m);
   return s;
@@ -98,12 +108,11 @@ void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Rea
         const ForceSums s = sum_pairs<artificial>(p, n, cluster, lanes, m);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
-          Vector3 f = lane_of(s.neighbor_stress, lane) +
-                      multiply(load_tensor(p.pair_stress, i), lane_of(s.gradient, lane));
-          if constexpr (artificial)
-            f = f + multiply(load_symmetric(p.artificial_stress, i), lane_of(s.weighted_gradient, lane));
+          const Vector3 own = multiply(load_tensor(p.pair_stress, i), lane_of(s.gradient, lane));
+          const Vector3 f = lane_of(s.neighbor_stress, lane) + own;
           store_vector(p.force, i, p.volume(i) * f);
           p.viscous_work(i) += Real(0.5) * dt * p.volume(i) * lane_of(s.viscous_power, lane);
+          p.hourglass_work(i) += Real(0.5) * dt * p.volume(i) * lane_of(s.hourglass_power, lane);
         }
       });
 }

@@ -8,11 +8,13 @@ namespace swarf {
 
 void prepare_pair_state(const Particles& p, const MaterialTable& materials, const ParticleMethod& method) {
   const MaterialPoints points = p.points;
+  const bool correct = method.correct_forces;
   const Real epsilon = method.artificial_stress, mass_factor = method.mass_factor;
   Kokkos::parallel_for(
       "prepare_pair_state", Range(0, p.count), KOKKOS_LAMBDA(int i) {
         const Symmetric3 stress = load_symmetric(points.stress, i);
-        store_tensor(p.pair_stress, i, multiply(to_tensor(stress), load_tensor(p.correction, i)));
+        const Tensor3 K = correct ? load_tensor(p.correction, i) : identity3();
+        store_tensor(p.pair_stress, i, multiply(to_tensor(stress), K));
         store_symmetric(p.strain_rate, i, symmetric_part(load_tensor(points.velocity_gradient, i)));
         const Symmetric3 tension = epsilon > 0 ? tensile_part(stress) : Symmetric3{0, 0, 0, 0, 0, 0};
         store_symmetric(p.artificial_stress, i, -epsilon * tension);

@@ -1,8 +1,8 @@
-// What a tied particle shows the particles near it is its host hex's: P = sigma K, with the K of an
-// undeformed lattice, so that a constant stress crosses the interface; L, D, T and the impedance of the
-// mass-scaled material; V = m / rho of the host. No artificial stress: hexes have no tensile instability. A
-// deleted host shows nothing: stress and volume 0. Reads points and active of the hexes. Writes the tied
-// rows.
+// What a tied particle shows the particles near it: P = sigma K, with the K of an undeformed lattice, so that
+// a constant stress crosses the interface; sigma and L linear between hexes (tie.hpp); T, the impedance of
+// the mass-scaled material and V = m / rho of the host. No artificial stress: hexes have no tensile
+// instability. Beside a deleted hex the host's own values count; a deleted host shows nothing: stress and
+// volume 0. Reads points and active of the hexes. Writes the tied rows.
 #include "swarf/kernels.hpp"
 
 namespace swarf {
@@ -17,34 +17,51 @@ SWARF_FN ImpedanceOf scale_impedance(const Material& material, Real density, Rea
   return {density * mass_factor * speed, density * mass_factor};
 }
 
+struct HexState {
+  Symmetric3 stress;
+  Tensor3 L;
+};
+
+SWARF_FN HexState interpolate_state(const Tie& tie, int k, const HexMesh& mesh) {
+  HexState sum{{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, 0}};
+  bool whole = true;
+  for (int n = 0; n < 7; ++n) whole = whole && mesh.active(tie.state_hex(k, n)) != 0;
+  for (int n = 0; n < 7; ++n) {
+    const int hex = tie.state_hex(k, n);
+    const Real weight = whole ? tie.state_weight(k, n) : Real(n == 0 ? 1 : 0);
+    sum.stress = sum.stress + weight * load_symmetric(mesh.points.stress, hex);
+    const Tensor3 L = load_tensor(mesh.points.velocity_gradient, hex);
+    sum.L = sum.L + Tensor3{weight * L.xx, weight * L.xy, weight * L.xz, weight * L.yx, weight * L.yy,
+                            weight * L.yz, weight * L.zx, weight * L.zy, weight * L.zz};
+  }
+  return sum;
+}
+
 } // namespace
 
-void project_tie_state(const Tie& tie, const Particles& particles, const HexMesh& mesh,
+void project_tie_state(const Tie& t, const Particles& particles, const HexMesh& m,
                        const MaterialTable& materials, Real mass_factor) {
+  const Tie tie = t; // the kernel's own copies of the Views
   const Particles p = particles;
-  const IndexField hosts = tie.host;
-  const MaterialPoints hexes = mesh.points;
-  const View<int*> active = mesh.active;
-  const Real correction = tie.correction;
+  const HexMesh mesh = m;
   Kokkos::parallel_for(
       "project_tie_state", Range(0, tie.count), KOKKOS_LAMBDA(int k) {
-        const int i = p.count + k, host = hosts(k);
-        const bool alive = active(host) != 0;
-        const Tensor3 L = load_tensor(hexes.velocity_gradient, host);
-        const Real density = hexes.density(host);
-        const ImpedanceOf z = scale_impedance(materials(hexes.material(host)), density, mass_factor);
-        const Symmetric3 none{0, 0, 0, 0, 0, 0};
-        const Symmetric3 stress = alive ? load_symmetric(hexes.stress, host) : none;
-        store_symmetric(p.points.stress, i, stress);
-        store_tensor(p.pair_stress, i, to_tensor(correction * stress));
-        store_tensor(p.correction, i, {correction, 0, 0, 0, correction, 0, 0, 0, correction});
-        store_tensor(p.points.velocity_gradient, i, L);
-        store_symmetric(p.strain_rate, i, symmetric_part(L));
-        store_symmetric(p.artificial_stress, i, none);
+        const int i = p.count + k, host = tie.host(k);
+        const bool alive = mesh.active(host) != 0;
+        const Real density = mesh.points.density(host), K = tie.correction;
+        const ImpedanceOf z = scale_impedance(materials(mesh.points.material(host)), density, mass_factor);
+        HexState state = interpolate_state(tie, k, mesh);
+        if (!alive) state.stress = {0, 0, 0, 0, 0, 0};
+        store_symmetric(p.points.stress, i, state.stress);
+        store_tensor(p.pair_stress, i, to_tensor(K * state.stress));
+        store_tensor(p.correction, i, {K, 0, 0, 0, K, 0, 0, 0, K});
+        store_tensor(p.points.velocity_gradient, i, state.L);
+        store_symmetric(p.strain_rate, i, symmetric_part(state.L));
+        store_symmetric(p.artificial_stress, i, {0, 0, 0, 0, 0, 0});
         p.impedance(i, 0) = z.impedance;
         p.impedance(i, 1) = z.density;
         p.points.density(i) = density;
-        p.points.temperature(i) = hexes.temperature(host);
+        p.points.temperature(i) = mesh.points.temperature(host);
         p.volume(i) = alive ? p.points.mass(i) / density : Real(0);
       });
 }

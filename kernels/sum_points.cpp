@@ -24,6 +24,7 @@ KOKKOS_INLINE_FUNCTION void add_point(PointSums& s, const MaterialPoints& p, int
 PointSums sum_particles(const Particles& p, Real mass_factor) {
   const auto add = KOKKOS_LAMBDA(int i, PointSums& s) {
     s.viscous += p.viscous_work(i);
+    s.hourglass += p.hourglass_work(i);
     if (i >= p.count) return; // a tied particle's mass and stress are its hex's
     add_motion(s, mass_factor * p.points.mass(i), load_vector(p.velocity, i));
     add_point(s, p.points, i);

@@ -85,6 +85,26 @@ class FaceFinder {
   }
 };
 
+// Weights of a linear field about the host's centre: a hex reaches from -1 to 1 in its own coordinates, the
+// centres at its faces lie at -2 and 2; where one is missing the slope is one-sided.
+void weigh_states(TiedPoint& point, const std::array<int, 6>& neighbors) {
+  static constexpr int sign[3][8] = {
+      {-1, 1, 1, -1, -1, 1, 1, -1}, {-1, -1, 1, 1, -1, -1, 1, 1}, {-1, -1, -1, -1, 1, 1, 1, 1}};
+  point.state_hex.fill(point.host);
+  point.state_weight = {1, 0, 0, 0, 0, 0, 0};
+  for (int d = 0; d < 3; ++d) {
+    double xi = 0;
+    for (int a = 0; a < 8; ++a) xi += sign[d][a] * point.shape[a];
+    const bool low = neighbors[2 * d] >= 0, high = neighbors[2 * d + 1] >= 0;
+    if (!low && !high) continue;
+    const double slope = xi / (low && high ? 4 : 2); // of the difference between the two that are there
+    const int above = high ? 2 + 2 * d : 0, below = low ? 1 + 2 * d : 0;
+    if (low) point.state_hex[1 + 2 * d] = neighbors[2 * d];
+    if (high) point.state_hex[2 + 2 * d] = neighbors[2 * d + 1];
+    point.state_weight[above] += slope, point.state_weight[below] -= slope;
+  }
+}
+
 // Another body of particles is there, or is tied to the same hexes and nearer: its own lattice goes on there.
 bool belongs_to_other(const std::vector<FilledBody>& bodies, int row, const Point& x) {
   const double own = bodies[row].shape.signed_distance(x);
@@ -161,23 +181,33 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
     reject(deck, *body.deck, "tie",
            fmt::format("does not touch \"{}\": expected a common face. Move or enlarge one of the two",
                        host->deck->name));
+  const auto neighbors = find_face_neighbors(host->hexes);
   const FaceFinder nearest(host->hexes, faces, 2 * layers * pitch);
   for (TiedPoint& p : points) {
     nearest.find(p);
+    weigh_states(p, neighbors[p.host]);
     p.host += host->first_hex;
+    for (int& hex : p.state_hex) hex += host->first_hex;
     for (int& node : p.face_nodes) node += host->first;
   }
   sort_along_curve(points, 2 * pitch);
   return points;
 }
 
-Tie make_tie(const std::vector<TiedPoint>& points, double smoothing_ratio) {
+Tie make_tie(const std::vector<TiedPoint>& points, const ParticlesDeck& method) {
   Tie tie;
   const int n = tie.count = int(points.size());
-  tie.correction = Real(1 / first_moment(smoothing_ratio));
+  const bool corrected = method.correction && method.correct_forces;
+  tie.correction = corrected ? Real(1 / first_moment(method.smoothing_ratio)) : Real(1);
   tie.host = upload<IndexField>("tie.host", n, [&](auto& f, int k) { f(k) = points[k].host; });
   tie.shape = upload<View<Real* [8]>>("tie.shape", n, [&](auto& f, int k) {
     for (int a = 0; a < 8; ++a) f(k, a) = Real(points[k].shape[a]);
+  });
+  tie.state_hex = upload<View<int* [7]>>("tie.state_hex", n, [&](auto& f, int k) {
+    for (int m = 0; m < 7; ++m) f(k, m) = points[k].state_hex[m];
+  });
+  tie.state_weight = upload<View<Real* [7]>>("tie.state_weight", n, [&](auto& f, int k) {
+    for (int m = 0; m < 7; ++m) f(k, m) = Real(points[k].state_weight[m]);
   });
   tie.face_nodes = upload<View<int* [4]>>("tie.face_nodes", n, [&](auto& f, int k) {
     for (int a = 0; a < 4; ++a) f(k, a) = points[k].face_nodes[a];

@@ -12,6 +12,8 @@ struct TiedPoint {
   int body = 0;            // index of the FilledBody whose lattice it continues
   int host = 0;
   std::array<double, 8> shape{};
+  std::array<int, 7> state_hex{};
+  std::array<double, 7> state_weight{};
   std::array<int, 4> face_nodes{};
   std::array<double, 4> face_shape{};
 };
@@ -26,7 +28,6 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
 // touches it.
 bool touches_particles(const HexSet& hexes, const SurfaceQuad& quad, const FilledBody& particles);
 
-// smoothing_ratio: h over spacing, for the correction.
-Tie make_tie(const std::vector<TiedPoint>& points, double smoothing_ratio);
+Tie make_tie(const std::vector<TiedPoint>& points, const ParticlesDeck& method);
 
 } // namespace swarf

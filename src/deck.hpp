@@ -85,13 +85,11 @@ struct ParticlesDeck {
   double smoothing_ratio = 1.2; // h / spacing
   std::string smoothing_length; // fixed | evolving
   std::string density;          // continuity | summation
-  bool correction = true;
+  bool correction = true, correct_forces = true;
   std::string viscosity_form; // reconstructed | monaghan
-  double viscosity_linear = 0, viscosity_quadratic = 0;
+  double viscosity_linear = 0, viscosity_quadratic = 0, hourglass_viscosity = 0;
   double artificial_stress = 0, artificial_stress_exponent = 4;
-  double xsph = 0;
-  double hourglass = 0; // generalised non-hourglass penalty
-  double skin = 0.1;    // of the support
+  double skin = 0.1; // of the support
   bool operator==(const ParticlesDeck&) const = default;
 };
 

@@ -1,6 +1,6 @@
 // The program: swarf run | check | keys | plot | render.
 #include "src/check.hpp"
-#include "src/plot.hpp"
+#include "src/pictures.hpp"
 #include "src/render.hpp"
 #include "src/results.hpp"
 #include "src/run.hpp"
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     if (*keys) return fmt::print("{}", swarf::key_reference()), 0;
-    if (*plot) return swarf::plot_forces(folder), swarf::plot_energies(folder), 0;
+    if (*plot) return swarf::draw_plots(folder), 0;
     if (*render) return swarf::render_strip(folder) ? 0 : 1;
     options.pictures = !no_pictures;
     const int asked = threads_for(options.deck, threads);

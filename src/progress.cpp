@@ -12,7 +12,7 @@ Progress::Progress(const Deck& deck, double end_time)
 double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void Progress::show(const Simulation& s, const HistorySample& h) {
-  if (start_time < 0) start_time = s.time(), start_step = s.step_count();
+  if (start_time < 0) start_time = s.time(), start_step = s.step_count(), initial_kinetic = s.initial_kinetic();
   const auto current = Clock::now();
   if (current - last < std::chrono::seconds(terminal ? 1 : 10)) return;
   last = current;
@@ -21,7 +21,8 @@ void Progress::show(const Simulation& s, const HistorySample& h) {
   const double done = s.time() - start_time;
   const double left = done > 0 ? wall * (end - s.time()) / done : 0;
   const std::string angle = spindle ? fmt::format(" {:6.2f} deg", h.immersion) : "";
-  const double relative = h.external != 0 ? 100 * h.residual / std::abs(h.external) : 0;
+  const double measure = std::max(std::abs(h.external), initial_kinetic);
+  const double relative = measure > 0 ? 100 * h.residual / measure : 0;
   fmt::print("{}{:5.1f} %{} | step {} dt {:.3g} s by {} | {:.2f} M particle-steps/s | {:.0f} s left | planar "
              "{:.3g} N | hottest {:.0f} K | energy residual {:+.2f} %{}",
              terminal ? "\r" : "", 100 * s.time() / end, angle, s.step_count(), h.dt, s.limiter(), rate / 1e6,

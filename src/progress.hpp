@@ -18,7 +18,7 @@ class Progress {
   double end = 0;
   bool spindle = false, terminal = false;
   Clock::time_point start, last;
-  double start_time = -1;
+  double start_time = -1, initial_kinetic = 0;
   long start_step = 0;
 };
 

@@ -50,7 +50,8 @@ ColourRange find_range(const std::vector<LoadedFrame>& frames) {
   if (most <= least) most = quantile(1);
   if (most <= least)
     return {least, least + (least == 0 ? 1 : std::abs(least)), (least == 0 ? 1 : std::abs(least)) / 4};
-  const double step = std::pow(10, std::floor(std::log10(most - least))) / 2;
+  const double power = std::pow(10, std::floor(std::log10(most - least))), leading = (most - least) / power;
+  const double step = power / (leading < 2 ? 10 : leading < 5 ? 5 : 2);
   return {std::floor(least / step) * step, std::ceil(most / step) * step, step};
 }
 

@@ -159,14 +159,17 @@ Json& Json::set(const std::string& key, const std::vector<double>& values) {
   for (const double value : values) list += (list.empty() ? "" : ", ") + number(value);
   return put(key, "[" + list + "]");
 }
-Json& Json::set(const std::string& key, const Json& object) { return put(key, object.text(2)); }
+Json& Json::set(const std::string& key, const Json& object) {
+  std::string inner;
+  for (const char c : object.text()) inner += c == '\n' ? std::string("\n  ") : std::string(1, c);
+  return put(key, inner);
+}
 
-std::string Json::text(int indent) const {
-  const std::string margin(static_cast<std::size_t>(indent), ' ');
+std::string Json::text() const {
   std::string out;
   for (const auto& [key, value] : members)
-    out += fmt::format("{}\n{}  {}: {}", out.empty() ? "" : ",", margin, quote(key), value);
-  return out.empty() ? "{}" : "{" + out + "\n" + margin + "}";
+    out += fmt::format("{}\n  {}: {}", out.empty() ? "" : ",", quote(key), value);
+  return out.empty() ? "{}" : "{" + out + "\n}";
 }
 
 } // namespace swarf

@@ -59,7 +59,7 @@ class Json {
   Json& set(const std::string& key, const std::string& value);
   Json& set(const std::string& key, const std::vector<double>& values);
   Json& set(const std::string& key, const Json& object);
-  std::string text(int indent = 0) const;
+  std::string text() const;
 
  private:
   Json& put(const std::string& key, std::string value);

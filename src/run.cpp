@@ -1,8 +1,7 @@
 #include "src/run.hpp"
 #include "src/frame.hpp"
-#include "src/plot.hpp"
+#include "src/pictures.hpp"
 #include "src/progress.hpp"
-#include "src/render.hpp"
 #include "src/results.hpp"
 #include "src/summary.hpp"
 #include "src/write_hdf5.hpp"
@@ -102,17 +101,6 @@ class Recorder {
   std::unique_ptr<FrameSeries> frames;
 };
 
-// Draws what it can; a missing display costs the pictures, not the run.
-void draw(const ResultsFolder& folder) {
-  try {
-    plot_forces(folder.path);
-    plot_energies(folder.path);
-    if (render_strip(folder.path)) fmt::print("pictures: {}\n", folder.pictures().string());
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "swarf: no pictures: {}\n", error.what());
-  }
-}
-
 } // namespace
 
 std::string default_output(const std::string& deck_file) {
@@ -126,7 +114,8 @@ int run_deck(const RunOptions& options) {
   Simulation simulation(deck);
   const ResultsFolder folder = options.resume ? open_results(where) : create_results(where);
   write_file(folder.deck(), resolved_deck(deck));
-  if (deck.tool) write_stl(simulation.tool_surface(), (folder.path / "tool.stl").string());
+  if (deck.tool) write_stl(make_tool_surface(*deck.tool, std::filesystem::path(deck.file).parent_path().string()),
+                           (folder.path / "tool.stl").string());
   Recorder recorder(deck, simulation, folder, end);
   std::signal(SIGINT, on_interrupt), std::signal(SIGTERM, on_interrupt);
   Progress progress(deck, end);
@@ -161,7 +150,7 @@ int run_deck(const RunOptions& options) {
   if (exit_status == 3) fmt::print(stderr, "swarf: {}\n", ended);
   if (exit_status == 130)
     fmt::print("interrupted; continue with: swarf run {} --output {} --resume\n", options.deck, where);
-  if (options.pictures && exit_status != 130) draw(folder);
+  if (options.pictures && exit_status != 130) draw_all(where);
   return exit_status;
 }
 

@@ -117,7 +117,7 @@ Scene build_scene(const Deck& deck) {
   std::vector<int> hex_body;
   for (const FilledBody& b : bodies) hex_body.insert(hex_body.end(), b.hexes.hex.size(), b.row);
   scene.hex_body = upload("hex_body", hex_body);
-  scene.tie = make_tie(tied, deck.particles.smoothing_ratio);
+  scene.tie = make_tie(tied, deck.particles);
   scene.image_planes = faces.planes;
   scene.node_transforms = upload<TransformTable>("node_transforms", int(faces.transforms.size()),
                                                  [&](auto& f, int t) { f(t) = faces.transforms[t]; });

@@ -38,6 +38,7 @@ class Simulation {
   long steps_this_run() const { return steps - first_step; }
   // Particles whose centre is deeper in the tool than a quarter of the spacing: none, if the contact holds.
   int leaked_particles() const;
+  double initial_kinetic() const { return initial_energy; } // J
   long rebuilds() const { return rebuild_count; }
   const std::string& limiter() const { return step_limiter; }
   const Scene& scene() const { return model; }

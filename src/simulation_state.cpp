@@ -12,9 +12,11 @@ Vector3 to_vector(const Triple& t) { return {Real(t[0]), Real(t[1]), Real(t[2])}
 ParticleMethod particle_method_of(const Deck& deck) {
   ParticleMethod m;
   m.correction = deck.particles.correction;
+  m.correct_forces = deck.particles.correct_forces;
   m.reconstruct_viscosity = deck.particles.viscosity_form == "reconstructed";
   m.viscosity_linear = Real(deck.particles.viscosity_linear);
   m.viscosity_quadratic = Real(deck.particles.viscosity_quadratic);
+  m.hourglass_viscosity = Real(deck.particles.hourglass_viscosity);
   m.artificial_stress = Real(deck.particles.artificial_stress);
   m.artificial_stress_exponent = int(std::lround(deck.particles.artificial_stress_exponent));
   m.spacing_ratio = Real(1 / deck.particles.smoothing_ratio);

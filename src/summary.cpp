@@ -43,7 +43,8 @@ Json shapes_of(const Deck& deck, const Scene& scene) {
     const Triple& centre = deck.bodies[body].origin;
     radius[body] = std::max(radius[body], std::hypot(at[0] - centre[0], at[1] - centre[1]) + margin);
   };
-  const auto x = host_copy(scene.particles.position), gap = host_copy(scene.particles.contact_gap);
+  const auto x = host_copy(scene.particles.position);
+  const auto gap = host_copy(scene.particles.contact_gap);
   const auto body = host_copy(scene.particles.body);
   for (int i = 0; i < scene.particles.count; ++i) grow(body(i), load_vector(x, i), gap(i));
   const auto node = host_copy(scene.hexes.position);
@@ -76,17 +77,17 @@ Json energies_of(const ResultsFolder& folder) {
   const HistoryTable raw = read_history(folder.history());
   Json energies;
   double total = 0;
-  for (const char* name : {"kinetic", "elastic", "plastic", "frictional", "viscous", "hourglass", "contact", "tie"}) {
+  for (const char* name : {"kinetic_energy", "elastic_energy", "plastic_work", "friction_work", "viscous_work", "hourglass_work", "contact_energy", "tie_work"}) {
     energies.set(name, last(raw.at(name)));
     total += std::abs(last(raw.at(name)));
   }
-  energies.set("external", last(raw.at("external"))).set("residual", last(raw.at("residual")));
+  energies.set("external_work", last(raw.at("external_work"))).set("energy_residual", last(raw.at("energy_residual")));
   // A body that is only slowed down does work on nothing: its initial energy is then the measure.
-  const double measure = std::max(std::abs(last(raw.at("external"))), raw.at("kinetic").front());
+  const double measure = std::max(std::abs(last(raw.at("external_work"))), raw.at("kinetic_energy").front());
   double worst = 0;
-  for (const double r : raw.at("residual")) worst = std::max(worst, std::abs(r));
+  for (const double r : raw.at("energy_residual")) worst = std::max(worst, std::abs(r));
   energies.set("worst_residual_over_external", measure > 0 ? worst / measure : 0);
-  energies.set("viscous_share", total > 0 ? last(raw.at("viscous")) / total : 0);
+  energies.set("viscous_share", total > 0 ? last(raw.at("viscous_work")) / total : 0);
   return energies;
 }
 

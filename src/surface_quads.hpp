@@ -4,6 +4,9 @@
 
 namespace swarf {
 
+// The hexes at the six faces of each hex, -1 outside. Faces: low and high first, second and third direction.
+std::vector<std::array<int, 6>> find_face_neighbors(const HexSet& hexes);
+
 struct SurfaceQuad {
   std::array<int, 4> node; // of the body's HexSet, counter-clockwise from outside
 };

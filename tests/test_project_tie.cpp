@@ -31,17 +31,22 @@ TiedBlock make_tied_block(int tied) {
   allocate(b.particles, 5 + tied);
   b.tie.count = tied;
   b.tie.host = IndexField("host", tied), b.tie.shape = View<Real* [8]>("shape", tied);
+  b.tie.state_hex = View<int* [7]>("state_hex", tied),
+  b.tie.state_weight = View<Real* [7]>("state_weight", tied);
   b.tie.face_nodes = View<int* [4]>("face_nodes", tied),
   b.tie.face_shape = View<Real* [4]>("face_shape", tied);
   const auto host = host_copy(b.tie.host);
   const auto face = host_copy(b.tie.face_nodes);
   const auto hex = host_copy(b.hexes.connectivity);
+  const auto state = host_copy(b.tie.state_hex);
+  const auto share = host_copy(b.tie.state_weight);
   const auto shape = host_copy(b.tie.shape);
   const auto weight = host_copy(b.tie.face_shape);
   std::mt19937 random(3);
   std::map<int, std::vector<int>> entries;
   for (int k = 0; k < tied; ++k) {
     host(k) = k % 27;
+    for (int n = 0; n < 7; ++n) state(k, n) = (host(k) + n) % 27, share(k, n) = Real(n == 0 ? 1.3 : -0.05);
     const double u = random_unit(random), v = random_unit(random), w = random_unit(random);
     const double low[4] = {(1 - u) * (1 - v) / 4, (1 + u) * (1 - v) / 4, (1 + u) * (1 + v) / 4,
                            (1 - u) * (1 + v) / 4};
@@ -63,6 +68,7 @@ TiedBlock make_tied_block(int tied) {
     Kokkos::deep_copy(field, f);
   };
   upload(b.tie.row_node, nodes), upload(b.tie.start, start), upload(b.tie.entry, entry);
+  Kokkos::deep_copy(b.tie.state_hex, state), Kokkos::deep_copy(b.tie.state_weight, share);
   Kokkos::deep_copy(b.tie.host, host), Kokkos::deep_copy(b.tie.shape, shape);
   Kokkos::deep_copy(b.tie.face_nodes, face), Kokkos::deep_copy(b.tie.face_shape, weight);
   return b;
@@ -153,8 +159,8 @@ TEST(ProjectTieState, IsTheHostsState) {
   for (int k = 0; k < 54; ++k) {
     const int i = 5 + k;
     const bool deleted = k % 27 == 4;
-    for (int c = 0; c < 9; ++c) EXPECT_EQ(double(P(i, c)), deleted ? 0 : 1.5 * exact_P[c]);
-    for (int c = 0; c < 6; ++c) EXPECT_EQ(double(D(i, c)), exact_D[c]);
+    for (int c = 0; c < 9; ++c) EXPECT_NEAR(double(P(i, c)), deleted ? 0 : 1.5 * exact_P[c], 1e8 * round_off);
+    for (int c = 0; c < 6; ++c) EXPECT_NEAR(double(D(i, c)), exact_D[c], 100 * round_off);
     EXPECT_NEAR(double(V(i)), deleted ? 0 : volume / 1.25, volume * round_off);
     EXPECT_NEAR(double(Z(i, 0)) / (1.25 * mat.density * 100 * speed / 10), 1, round_off);
     EXPECT_NEAR(double(Z(i, 1)) / (125 * mat.density), 1, round_off);

@@ -15,12 +15,13 @@ namespace swarf {
 // Choices of the particle sums that hold for a whole run.
 struct ParticleMethod {
   bool correction = true;            // Randles-Libersky gradient correction
+  bool correct_forces = true;        // the adjoint of it in the forces
   bool reconstruct_viscosity = true; // viscosity sees only what a linear velocity field does not explain
   Real viscosity_linear = 0, viscosity_quadratic = 0;
+  Real hourglass_viscosity = 0;      // times Z: damps motion that the velocity gradient does not see
   Real artificial_stress = 0; // epsilon of Gray, Monaghan & Swift (2001)
   int artificial_stress_exponent = 4;
   Real spacing_ratio = 0; // spacing / h of the initial lattice, where the artificial stress is full
-  Real hourglass = 0;
   Real mass_factor = 1;
 };
 
@@ -77,7 +78,6 @@ struct Motion { // a set of points that Newton's law moves: particles or nodes
 };
 void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
 void drift(const Motion&, Real dt);
-void drift_xsph(const Particles&, const Neighbors&, Real epsilon, Real dt);
 
 // --- reductions (reductions.cpp): fixed blocks, so that the sum does not depend on the number of threads
 // Adds the load of this step to sums.total and the tool's work to it; no copy to the host.

@@ -28,12 +28,12 @@ struct Particles {
   View<Real* [2]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), for the viscosity
 
   // History that belongs to the particle.
-  VectorField hourglass_force;     // N, accumulated non-affine penalty (optional, else 0 rows)
   ScalarField reference_summation; // initial sum of m W (density = "summation", else 0 rows)
   VectorField friction_force;      // N, stick-slip memory
   VectorField contact_force;       // N, of the tool on the particle, this step
   ScalarField friction_work;       // J
-  ScalarField viscous_work;        // J
+  ScalarField viscous_work;         // J
+  ScalarField hourglass_work;       // J
   ScalarField external_work;       // J, gravity and prescribed velocities
   ScalarField contact_energy;      // J, stored in the penalty spring
   ScalarField contact_gap;         // m, half the initial spacing: where the particle's own surface lies
@@ -48,9 +48,9 @@ struct Particles {
     points.for_each_field(visit);
     visit("position", position), visit("velocity", velocity), visit("force", force);
     visit("smoothing_length", smoothing_length), visit("volume", volume), visit("impedance", impedance);
-    visit("hourglass_force", hourglass_force), visit("reference_summation", reference_summation);
+    visit("reference_summation", reference_summation);
     visit("friction_force", friction_force), visit("contact_force", contact_force);
-    visit("friction_work", friction_work), visit("viscous_work", viscous_work);
+    visit("friction_work", friction_work), visit("viscous_work", viscous_work), visit("hourglass_work", hourglass_work);
     visit("external_work", external_work), visit("contact_energy", contact_energy);
     visit("contact_gap", contact_gap), visit("contact_area", contact_area);
     visit("identity", identity), visit("body", body), visit("constraints", constraints);

@@ -256,11 +256,13 @@ TEST(Results, json_is_ordered_and_escaped) {
       .set("steps", 3L)
       .set("ok", true)
       .set("force", std::nan(""))
-      .set("inner", inner);
+      .set("inner", Json().set("one", inner));
   json.set("steps", 4L);
-  EXPECT_EQ(json.text(),
-            "{\n  \"title\": \"a \\\"b\\\" \\\\ \\u000a\",\n  \"steps\": 4,\n  \"ok\": true,\n"
-            "  \"force\": null,\n  \"inner\": {\n    \"b\": 2,\n    \"a\": [0.1, 1e-300]\n  }\n}");
+  EXPECT_EQ(
+      json.text(),
+      "{\n  \"title\": \"a \\\"b\\\" \\\\ \\u000a\",\n  \"steps\": 4,\n  \"ok\": true,\n"
+      "  \"force\": null,\n  \"inner\": {\n    \"one\": {\n      \"b\": 2,\n      \"a\": [0.1, 1e-300]\n"
+      "    }\n  }\n}");
 }
 
 // FNV-1a, 64 bit: test vector of the authors (Fowler, Noll, Vo).

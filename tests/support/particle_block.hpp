@@ -15,7 +15,7 @@ struct ParticleBlock {
 inline void allocate(Particles& p, int rows) {
   const auto make = [&](auto& field) { field = std::decay_t<decltype(field)>("field", rows); };
   p.for_each_field([&](const std::string& name, auto& field) {
-    if (name != "hourglass_force" && name != "reference_summation") make(field);
+    if (name != "reference_summation") make(field);
   });
   make(p.correction), make(p.pair_stress), make(p.strain_rate), make(p.artificial_stress);
 }

@@ -1,0 +1,13 @@
+// The pictures of a results folder, made from what the folder holds.
+#pragma once
+#include <string>
+
+namespace swarf {
+
+// pictures/force.png and pictures/energy.png. Throws ResultsError, DeckError.
+void draw_plots(const std::string& results);
+
+// Plots and chip pictures at the end of a run: what cannot be drawn (no display) is said, never thrown.
+void draw_all(const std::string& results);
+
+} // namespace swarf
