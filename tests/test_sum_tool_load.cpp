@@ -148,9 +148,8 @@ TEST(SumToolLoad, PrintsItsBits) {
 
 std::string bits_with_threads(int threads) {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command =
-      "OMP_NUM_THREADS=" + std::to_string(threads) + " '" + self +
-      "' --gtest_filter=SumToolLoad.PrintsItsBits";
+  const std::string command = "OMP_NUM_THREADS=" + std::to_string(threads) + " '" + self +
+                              "' --gtest_filter=SumToolLoad.PrintsItsBits";
   FILE* pipe = popen(command.c_str(), "r");
   std::string bits;
   char line[4096];

@@ -83,7 +83,9 @@ void expect_exact(const FacetSurface& surface, const ToolDeck& deck, double reac
   int near = 0, inside = 0;
   for (int i = 0; i < count; ++i) {
     const double exact = exact_distance(surface, points[i]);
-    if (std::abs(exact) <= reach * (1 - 1e-4)) ASSERT_EQ(found[i].where, ToolDistance::Where::near) << exact;
+    if (std::abs(exact) <= reach * (1 - 1e-4)) {
+      ASSERT_EQ(found[i].where, ToolDistance::Where::near) << exact;
+    }
     if (found[i].where == ToolDistance::Where::near) {
       ASSERT_NEAR(found[i].distance, exact, 1e-9 * reach * coarse) << "point " << i;
       ++near, inside += exact < 0;
