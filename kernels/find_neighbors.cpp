@@ -67,12 +67,6 @@ KOKKOS_INLINE_FUNCTION void for_each_near(const Search& s, const Lanes& lanes, R
       }
 }
 
-// Tied particles and their images: their own clusters leave them out.
-KOKKOS_INLINE_FUNCTION bool is_tied(int row, int count, int image_first, const IndexField& image_source) {
-  while (row >= image_first) row = image_source(row - image_first);
-  return row >= count;
-}
-
 void make_clusters(Neighbors& n, const Particles& p) {
   const int W = pack_width, count = p.count, tied = p.tied;
   n.clusters = (count + W - 1) / W;
@@ -89,17 +83,14 @@ void make_clusters(Neighbors& n, const Particles& p) {
 }
 
 // Counts (fill = false) or writes (fill = true) the lists.
-void walk(const Neighbors& n, const Particles& p, const Search& s, bool fill) {
-  const int clusters = n.clusters, count = p.count;
+void walk(const Neighbors& n, const Search& s, bool fill) {
   const Real cutoff = n.cutoff;
   Kokkos::parallel_for(
-      "find_neighbors", Range(0, clusters + n.tied_clusters), KOKKOS_LAMBDA(int c) {
+      "find_neighbors", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int c) {
         const Lanes lanes{n.first(c), n.size(c)};
-        const bool of_tied = c >= clusters;
         long found = 0;
         const long begin = fill ? n.start(c) : 0;
         for_each_near(s, lanes, cutoff, [&](int row) {
-          if (of_tied && is_tied(row, count, n.image_first, n.image_source)) return;
           if (fill) n.neighbor(begin + found) = row;
           ++found;
         });
@@ -131,11 +122,11 @@ void find_neighbors(Neighbors& n, const Particles& p) {
   s.rows = sort_rows(p.position, p.total, keys);
   s.grid = {keys.origin, keys.cell_size * Real(1 << search_level)};
   s.total = p.total, s.position = p.position, s.cutoff2 = n.cutoff * n.cutoff;
-  walk(n, p, s, false);
+  walk(n, s, false);
   const long total = scan_starts(n);
   if (long(n.neighbor.extent(0)) < total)
     n.neighbor = IndexField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbor"), total + total / 16);
-  walk(n, p, s, true);
+  walk(n, s, true);
   const int rows = p.count + p.tied;
   if (int(n.build_position.extent(0)) < rows) n.build_position = VectorField("build_position", rows);
   const auto from = p.position, to = n.build_position;

@@ -1,11 +1,12 @@
-// f_a += sum_k N_a f_k over the tied particles k whose force goes to the face that node a belongs to. The
-// weights of a face sum to 1, so the total force passes to round-off. One thread sums one node, in a fixed
+// f_a += sum_k N_a f_k over the tied particles k whose host has node a. The weights of a particle sum to 1
+// and place it, so the total force, moment and power pass to round-off. One thread sums one node, in a fixed
 // order. Reads force of the tied rows. Adds to the nodes' force.
 #include "swarf/kernels.hpp"
 
 namespace swarf {
 
-void gather_tie_forces(const Tie& tie, const Particles& p, const HexMesh& hexes) {
+void gather_tie_forces(const Tie& t, const Particles& p, const HexMesh& hexes) {
+  const Tie tie = t; // the kernel's own copies of the Views
   const int first = p.count;
   const VectorField from = p.force, to = hexes.force;
   Kokkos::parallel_for(
@@ -13,8 +14,8 @@ void gather_tie_forces(const Tie& tie, const Particles& p, const HexMesh& hexes)
         const int node = tie.row_node(row);
         Vector3 f = load_vector(to, node);
         for (int e = tie.start(row); e < tie.start(row + 1); ++e) {
-          const int k = tie.entry(e) / 4, corner = tie.entry(e) % 4;
-          f = f + tie.face_shape(k, corner) * load_vector(from, first + k);
+          const int k = tie.entry(e) / 8, corner = tie.entry(e) % 8;
+          f = f + tie.shape(k, corner) * load_vector(from, first + k);
         }
         store_vector(to, node, f);
       });

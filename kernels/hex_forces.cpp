@@ -24,7 +24,7 @@ void hex_forces(const HexMesh& m, const MaterialTable& materials, const HexMetho
         if (rate < Real(0))
           q = bulk_viscosity(scaled, set.viscosity_linear, set.viscosity_quadratic, characteristic_length(B),
                              rate);
-        m.viscous_work(e) -= volume * q * rate * dt;
+        m.viscous_work(e) -= m.share(e) * volume * q * rate * dt;
 
         const HexModes x = project_modes(load_corners(m.position, m.connectivity, e));
         const HexModes rates = hourglass_rates(x, load_corners(m.velocity, m.connectivity, e), L);
@@ -37,7 +37,7 @@ void hex_forces(const HexMesh& m, const MaterialTable& materials, const HexMetho
         m.hourglass_work(e) += h.work;
 
         const Symmetric3 sigma = load_symmetric(m.points.stress, e) + Symmetric3{-q, -q, -q, 0, 0, 0};
-        store_corners(m.corner_force, e, corner_forces(volume * sigma, B, x, h.force));
+        store_corners(m.corner_force, e, corner_forces(m.share(e) * volume * sigma, B, x, h.force));
       });
 }
 

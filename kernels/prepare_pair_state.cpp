@@ -1,6 +1,6 @@
 // What a particle shows its neighbours in the force sum: P = sigma K, D = sym L, R (artificial_stress.hpp)
-// and the impedance of the mass-scaled material. Reads points and correction. Writes rows [0, count); V = m /
-// rho.
+// and the impedance of the mass-scaled material. Reads points and correction. Writes rows [0, count + tied);
+// V = m / rho.
 #include "swarf/artificial_stress.hpp"
 #include "swarf/kernels.hpp"
 
@@ -11,7 +11,7 @@ void prepare_pair_state(const Particles& p, const MaterialTable& materials, cons
   const bool correct = method.correct_forces;
   const Real epsilon = method.artificial_stress, mass_factor = method.mass_factor;
   Kokkos::parallel_for(
-      "prepare_pair_state", Range(0, p.count), KOKKOS_LAMBDA(int i) {
+      "prepare_pair_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
         const Symmetric3 stress = load_symmetric(points.stress, i);
         const Tensor3 K = correct ? load_tensor(p.correction, i) : identity3();
         store_tensor(p.pair_stress, i, multiply(to_tensor(stress), K));

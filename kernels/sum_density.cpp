@@ -27,7 +27,7 @@ KOKKOS_INLINE_FUNCTION Pack sum_mass(const Particles& p, const Neighbors& n, int
 
 void sum_density(const Particles& p, const Neighbors& n, const MaterialTable& materials) {
   Kokkos::parallel_for(
-      "sum_density", Range(0, n.clusters), KOKKOS_LAMBDA(int cluster) {
+      "sum_density", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};
         const Pack sum = sum_mass(p, n, cluster, lanes);
         for (int lane = 0; lane < lanes.size; ++lane) {

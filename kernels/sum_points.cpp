@@ -25,9 +25,9 @@ PointSums sum_particles(const Particles& p, Real mass_factor) {
   const auto add = KOKKOS_LAMBDA(int i, PointSums& s) {
     s.viscous += p.viscous_work(i);
     s.hourglass += p.hourglass_work(i);
-    if (i >= p.count) return; // a tied particle's mass and stress are its hex's
-    add_motion(s, mass_factor * p.points.mass(i), load_vector(p.velocity, i));
     add_point(s, p.points, i);
+    if (i >= p.count) return; // a tied particle's mass is its hex's
+    add_motion(s, mass_factor * p.points.mass(i), load_vector(p.velocity, i));
     s.external += p.external_work(i);
     s.friction += p.friction_work(i);
     s.contact += p.contact_energy(i);

@@ -1,6 +1,7 @@
 // L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] K_i,  K_i = [sum_j V_j (x_j - x_i) (x) grad W_ij]^-1
 // Randles & Libersky (1996): exact for a linear velocity field on any set of neighbours.
-// Reads position, velocity, volume, smoothing_length. Writes velocity_gradient, correction, rows [0, count).
+// Reads position, velocity, volume, smoothing_length. Writes velocity_gradient, correction, rows [0, count +
+// tied).
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
@@ -35,8 +36,9 @@ KOKKOS_INLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const Neig
   return s;
 }
 
-// K = A^-1 where the neighbours span space well: |K|^2 is 3 inside and about 50 at a corner of a lattice. Where they
-// do not (a lone pair, a stretched sheet) K amplifies noise without bound, and goes over to 1, the plain sum.
+// K = A^-1 where the neighbours span space well: |K|^2 is 3 inside and about 50 at a corner of a lattice.
+// Where they do not (a lone pair, a stretched sheet) K amplifies noise without bound, and goes over to 1, the
+// plain sum.
 KOKKOS_INLINE_FUNCTION Tensor3 correction_from(const Tensor3& A) {
   const Real det = determinant(A);
   if (!(det > Real(0))) return identity3();
@@ -56,7 +58,7 @@ KOKKOS_INLINE_FUNCTION Tensor3 correction_from(const Tensor3& A) {
 void velocity_gradient(const Particles& p, const Neighbors& n, const ParticleMethod& method) {
   const bool correct = method.correction;
   Kokkos::parallel_for(
-      "velocity_gradient", Range(0, n.clusters), KOKKOS_LAMBDA(int cluster) {
+      "velocity_gradient", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};
         const GradientSums s = sum_neighbors(p, n, cluster, lanes);
         for (int lane = 0; lane < lanes.size; ++lane) {

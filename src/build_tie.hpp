@@ -1,6 +1,7 @@
 // Places the tied particles of a scene and finds what they follow and where their forces go.
 #pragma once
 #include "src/surface_quads.hpp"
+#include "swarf/hex_mesh.hpp"
 #include "swarf/tie.hpp"
 
 namespace swarf {
@@ -12,10 +13,6 @@ struct TiedPoint {
   int body = 0;            // index of the FilledBody whose lattice it continues
   int host = 0;
   std::array<double, 8> shape{};
-  std::array<int, 7> state_hex{};
-  std::array<double, 7> state_weight{};
-  std::array<int, 4> face_nodes{};
-  std::array<double, 4> face_shape{};
 };
 
 // Cells that continue the lattice of body `row` to `reach` (m) around it, where they lie in hexes of the body
@@ -28,6 +25,9 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
 // touches it.
 bool touches_particles(const HexSet& hexes, const SurfaceQuad& quad, const FilledBody& particles);
 
-Tie make_tie(const std::vector<TiedPoint>& points, const ParticlesDeck& method);
+Tie make_tie(const std::vector<TiedPoint>& points, const HexMesh& mesh);
+
+// Per hex of the scene: the share of its volume that no tied particles fill, so that it carries stress there.
+std::vector<double> stress_shares(const std::vector<FilledBody>& bodies, double reach);
 
 } // namespace swarf

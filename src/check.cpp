@@ -23,10 +23,10 @@ class Findings {
   int warnings = 0;
 };
 
-double mass_of(const MaterialPoints& points) {
-  const auto mass = host_copy(points.mass);
+double sum_of(const ScalarField& field, int rows) {
+  const auto mass = host_copy(field);
   double sum = 0;
-  for (int i = 0; i < points.count; ++i) sum += double(mass(i));
+  for (int i = 0; i < rows; ++i) sum += double(mass(i));
   return sum;
 }
 
@@ -46,8 +46,9 @@ void check_cutting(const Deck& deck, const Scene& scene, Findings& found) {
   if (!cuts) return;
   const double chip = uncut_chip(deck, scene) / scene.spacing, edge = tool.edge_radius / scene.spacing;
   found.line("particles per uncut chip", "{:.1f}", chip);
-  if (chip < 4) found.warn(fmt::format("{:.1f} particles across the uncut chip: take body.spacing <= {:.3g} um for 4",
-                                       chip, 1e6 * uncut_chip(deck, scene) / 4));
+  if (chip < 4)
+    found.warn(fmt::format("{:.1f} particles across the uncut chip: take body.spacing <= {:.3g} um for 4",
+                           chip, 1e6 * uncut_chip(deck, scene) / 4));
   found.line("particles per edge radius", "{:.1f}", edge);
   if (tool.edge_radius > 0 && edge < 2)
     found.warn(fmt::format("{:.1f} particles along the edge radius: the edge is not resolved", edge));
@@ -60,10 +61,12 @@ void check_inertia(const Deck& deck, Findings& found) {
                                 tool.spindle_speed * tool.diameter / 2);
   if (speed == 0) return;
   for (const MaterialDeck& m : deck.materials) {
-    const double K = m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio), G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+    const double K = m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio),
+                 G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
     const double c = std::sqrt((K + 4 * G / 3) / m.density / deck.run.mass_factor);
     found.line("mass-scaled wave speed / tool speed", "{:.0f} ({})", c / speed, m.name);
-    if (c < 50 * speed) found.warn("inertia of the scaled mass will show in the force: lower run.mass_factor");
+    if (c < 50 * speed)
+      found.warn("inertia of the scaled mass will show in the force: lower run.mass_factor");
   }
 }
 
@@ -76,7 +79,9 @@ double duration(const Deck& deck) {
 
 int check_deck(const std::string& file) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
   const Deck deck = read_deck(file);
   Findings found;
   fmt::print("{}\n", file);
@@ -87,7 +92,9 @@ int check_deck(const std::string& file) {
   found.line("particles", "{} (+ {} tied, {} images)", scene.particles.count, scene.particles.tied,
              simulation.neighbors().images);
   found.line("hexes", "{} ({} nodes)", scene.hexes.points.count, scene.hexes.nodes);
-  found.line("mass", "{:.6g} kg", mass_of(scene.particles.points) + mass_of(scene.hexes.points));
+  found.line("mass", "{:.6g} kg",
+             sum_of(scene.particles.points.mass, scene.particles.count) +
+                 sum_of(scene.hexes.mass, scene.hexes.nodes));
   found.line("time step", "{:.4g} s, limited by {}", simulation.dt(), simulation.limiter());
   const double steps = duration(deck) / simulation.dt();
   found.line("steps", "{:.4g} for {:.4g} s", steps, duration(deck));
@@ -99,8 +106,8 @@ int check_deck(const std::string& file) {
   const double per_step = (seconds() - start_up) / trial;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  found.line("time per step", "{:.4g} s on {} threads, start-up {:.2f} s", per_step, ExecSpace().concurrency(),
-             start_up);
+  found.line("time per step", "{:.4g} s on {} threads, start-up {:.2f} s", per_step,
+             ExecSpace().concurrency(), start_up);
   found.line("predicted run time", "{:.3g} s ({:.3g} h)", steps * per_step, steps * per_step / 3600);
   found.line("memory", "{:.0f} MiB", double(usage.ru_maxrss) / 1024);
   check_cutting(deck, scene, found);

@@ -69,6 +69,16 @@ double largest_smoothing_length(const Deck& deck, const std::vector<FilledBody>&
   return largest;
 }
 
+// The mass of a hex as a material point is that of the volume that carries stress; its nodes keep it all.
+void set_stress_shares(HexMesh& mesh, const std::vector<double>& share) {
+  const auto mass = host_copy(mesh.points.mass);
+  mesh.share = upload<ScalarField>("share", mesh.points.count, [&](auto& f, int e) {
+    f(e) = Real(share[std::size_t(e)]);
+    mass(e) *= f(e);
+  });
+  Kokkos::deep_copy(mesh.points.mass, mass);
+}
+
 std::vector<TiedPoint> tie_bodies(const Deck& deck, const std::vector<FilledBody>& bodies, double reach) {
   std::vector<TiedPoint> tied;
   for (int row = 0; row < int(bodies.size()); ++row) {
@@ -117,7 +127,8 @@ Scene build_scene(const Deck& deck) {
   std::vector<int> hex_body;
   for (const FilledBody& b : bodies) hex_body.insert(hex_body.end(), b.hexes.hex.size(), b.row);
   scene.hex_body = upload("hex_body", hex_body);
-  scene.tie = make_tie(tied, deck.particles);
+  scene.tie = make_tie(tied, scene.hexes);
+  set_stress_shares(scene.hexes, stress_shares(bodies, scene.cutoff));
   scene.image_planes = faces.planes;
   scene.node_transforms = upload<TransformTable>("node_transforms", int(faces.transforms.size()),
                                                  [&](auto& f, int t) { f(t) = faces.transforms[t]; });

@@ -37,7 +37,8 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   const int n = int(rows.size());
   Particles p;
   p.tied = int(tied.size());
-  p.count = p.points.count = n - p.tied;
+  p.count = n - p.tied;
+  p.points.count = n;
   p.total = n;
   // Every field zero at first; what is left so is derived or history.
   const auto allocate = [&](const std::string& name, auto& field) {

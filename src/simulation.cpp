@@ -88,7 +88,6 @@ void Simulation::update_rates_and_stresses() {
 void Simulation::compute_forces() {
   const Real dt = Real(step_size);
   prepare_pair_state(model.particles, model.materials, particle_method);
-  project_tie_state(model.tie, model.particles, model.hexes, model.materials, Real(mass_factor));
   update_image_state(model.particles, lists, model.image_planes);
   timer.mark("tie and images");
   particle_forces(model.particles, lists, particle_method, dt);

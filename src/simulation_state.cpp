@@ -70,6 +70,7 @@ void Simulation::start() {
   compute_forces();
   steps = steps_at_sample = 0;
   check();
+  contact_law.reference_step = Real(step_size); // the penalty stays as it is when the step changes
   const PointSums a = sum_particles(model.particles, Real(mass_factor));
   const PointSums b = sum_hexes(model.hexes, Real(mass_factor));
   initial_energy = double(a.kinetic) + b.kinetic;
@@ -176,7 +177,7 @@ void Simulation::write_state(CheckpointWriter& out) const {
   const Real* values = reinterpret_cast<const Real*>(&load);
   out.put("tool_load", std::vector<Real>(values, values + sizeof(ToolLoad) / sizeof(Real)));
   out.put("time", now), out.put("step_size", step_size), out.put("steps", steps);
-  out.put("next_check", next_check), out.put("rebuild_count", rebuild_count);
+  out.put("reference_step", contact_law.reference_step), out.put("next_check", next_check), out.put("rebuild_count", rebuild_count);
   out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
   out.put("initial_energy", initial_energy), out.put("tool_work", tool_work);
 }
@@ -208,7 +209,7 @@ void Simulation::read_state(const CheckpointReader& in) {
   Kokkos::deep_copy(loads.total, load);
   in.get("time", now), in.get("step_size", step_size), in.get("steps", steps);
   in.get("next_check", next_check), in.get("rebuild_count", rebuild_count);
-  in.get("steps_at_sample", steps_at_sample);
+  in.get("steps_at_sample", steps_at_sample), in.get("reference_step", contact_law.reference_step);
   first_step = steps;
   int due = 0;
   in.get("lists_due", due);

@@ -12,6 +12,7 @@ struct HexMesh {
 
   View<int* [8]> connectivity;     // nodes of a hex, VTK order (0-3 bottom counter-clockwise, 4-7 above)
   ScalarField volume;              // m3
+  ScalarField share;               // of the volume that carries stress: tied particles carry the rest
   View<Real* [8][3]> gradient;     // B_aj = dN_a/dx_j at the centre, 1/m
   View<Real* [8][3]> corner_force; // N, before the gather
   View<Real* [4][3]> hourglass;    // generalised hourglass force of the stiffness control, N

@@ -18,8 +18,8 @@ struct ParticleMethod {
   bool correct_forces = true;        // the adjoint of it in the forces
   bool reconstruct_viscosity = true; // viscosity sees only what a linear velocity field does not explain
   Real viscosity_linear = 0, viscosity_quadratic = 0;
-  Real hourglass_viscosity = 0;      // times Z: damps motion that the velocity gradient does not see
-  Real artificial_stress = 0; // epsilon of Gray, Monaghan & Swift (2001)
+  Real hourglass_viscosity = 0; // times Z: damps motion that the velocity gradient does not see
+  Real artificial_stress = 0;   // epsilon of Gray, Monaghan & Swift (2001)
   int artificial_stress_exponent = 4;
   Real spacing_ratio = 0; // spacing / h of the initial lattice, where the artificial stress is full
   Real mass_factor = 1;
@@ -64,10 +64,8 @@ void tool_contact(const ContactPoints&, const Tool&, const ToolPose&, const Cont
                   Real mass_factor, Real dt);
 
 // --- tie
-void project_tie(const Tie&, const Particles&, const HexMesh&); // x, v of tied particles from nodes
-void project_tie_state(const Tie&, const Particles&, const HexMesh&, const MaterialTable&,
-                       Real mass_factor);                             // stress, L
-void gather_tie_forces(const Tie&, const Particles&, const HexMesh&); // to the nodes of the face
+void project_tie(const Tie&, const Particles&, const HexMesh&);       // x, v of tied particles from nodes
+void gather_tie_forces(const Tie&, const Particles&, const HexMesh&); // to the nodes of the hosts
 
 // --- time
 struct Motion { // a set of points that Newton's law moves: particles or nodes

@@ -7,8 +7,7 @@ namespace swarf {
 
 // Cluster c holds the rows first(c) .. first(c) + size(c) - 1, size <= pack_width. Its list, shared by all
 // lanes, is neighbor[start(c) .. start(c + 1)): every row within support + skin of a member (and others that
-// the kernel's compact support cuts off). Clusters of particles come first, then those of tied particles,
-// whose lists name no tied particles.
+// the kernel's compact support cuts off). Clusters of particles come first, then those of tied particles.
 struct Neighbors {
   int clusters = 0; // of particles
   int tied_clusters = 0;

@@ -9,7 +9,7 @@ namespace swarf {
 //                       [count + tied, total)   images of the rows before, across periodic and mirror planes
 // Only rows [0, count) carry mass and are integrated in time. Sorted in space at every neighbour rebuild.
 struct Particles {
-  MaterialPoints points; // points.count == count
+  MaterialPoints points; // points.count == count + tied
   int count = 0;
   int tied = 0;
   int total = 0;
@@ -32,8 +32,8 @@ struct Particles {
   VectorField friction_force;      // N, stick-slip memory
   VectorField contact_force;       // N, of the tool on the particle, this step
   ScalarField friction_work;       // J
-  ScalarField viscous_work;         // J
-  ScalarField hourglass_work;       // J
+  ScalarField viscous_work;        // J
+  ScalarField hourglass_work;      // J
   ScalarField external_work;       // J, gravity and prescribed velocities
   ScalarField contact_energy;      // J, stored in the penalty spring
   ScalarField contact_gap;         // m, half the initial spacing: where the particle's own surface lies
@@ -50,7 +50,8 @@ struct Particles {
     visit("smoothing_length", smoothing_length), visit("volume", volume), visit("impedance", impedance);
     visit("reference_summation", reference_summation);
     visit("friction_force", friction_force), visit("contact_force", contact_force);
-    visit("friction_work", friction_work), visit("viscous_work", viscous_work), visit("hourglass_work", hourglass_work);
+    visit("friction_work", friction_work), visit("viscous_work", viscous_work),
+        visit("hourglass_work", hourglass_work);
     visit("external_work", external_work), visit("contact_energy", contact_energy);
     visit("contact_gap", contact_gap), visit("contact_area", contact_area);
     visit("identity", identity), visit("body", body), visit("constraints", constraints);

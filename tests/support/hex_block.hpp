@@ -26,6 +26,8 @@ inline HexMesh make_hex_block(const Cells& n, const Material& mat,
   m.nodes = (n[0] + 1) * (n[1] + 1) * (n[2] + 1);
   m.connectivity = View<int* [8]>("connectivity", hexes);
   m.volume = ScalarField("volume", hexes);
+  m.share = ScalarField("share", hexes);
+  Kokkos::deep_copy(m.share, Real(1));
   m.gradient = View<Real* [8][3]>("gradient", hexes);
   m.corner_force = View<Real* [8][3]>("corner_force", hexes);
   m.hourglass = View<Real* [4][3]>("hourglass", hexes);
