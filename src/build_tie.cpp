@@ -67,25 +67,43 @@ void sort_along_curve(std::vector<TiedPoint>& points, double cell) {
   });
 }
 
-// Whole layers of the lattice whose centres lie within the reach.
-double tied_depth(const FilledBody& body, double reach) {
-  const double pitch = 2 * *std::min_element(body.points.gap.begin(), body.points.gap.end());
-  return std::floor(reach / pitch + 0.5) * pitch;
-}
-
-// Midpoints of a 6 x 6 x 6 division of the hex that lie within `depth` of the body, over all of them.
-double filled_share(const FilledBody& body, const std::array<Point, 8>& x, double depth) {
-  constexpr int n = 6;
-  int inside = 0;
-  for (int cell = 0; cell < n * n * n; ++cell) {
-    const std::array<double, 3> xi{(cell % n + 0.5) / n, (cell / n % n + 0.5) / n, (cell / n / n + 0.5) / n};
-    const auto edge = [&](int a, int b) -> Point { return (1 - xi[0]) * x[a] + xi[0] * x[b]; };
-    const Point low = (1 - xi[1]) * edge(0, 1) + xi[1] * edge(3, 2);
-    const Point high = (1 - xi[1]) * edge(4, 5) + xi[1] * edge(7, 6);
-    inside += body.shape.signed_distance((1 - xi[2]) * low + xi[2] * high) < depth;
+// How the stress passes from a body of particles to its hexes: the tied particles' weight falls from 1 at the
+// surface to 0 at the depth of the last whole layer within reach, that of the hexes rises as much. A step
+// instead of the ramp lets hexes of one particle each move past their particles, and reflects pulses.
+class Overlap {
+ public:
+  Overlap(const FilledBody& from, double reach) : body(from) {
+    const double pitch = 2 * *std::min_element(body.points.gap.begin(), body.points.gap.end());
+    depth = std::floor(reach / pitch + 0.5) * pitch;
   }
-  return double(inside) / (n * n * n);
-}
+  double weight(const Point& x) const {
+    return std::clamp(1 - body.shape.signed_distance(x) / depth, 0.0, 1.0);
+  }
+
+  // Mean weight over the hex, by the midpoints of a 6 x 6 x 6 division.
+  double mean_weight(const std::array<Point, 8>& x) const {
+    Point centre(0, 0, 0);
+    double radius = 0;
+    for (const Point& corner : x) centre += corner / 8;
+    for (const Point& corner : x) radius = std::max(radius, (corner - centre).norm());
+    if (body.shape.signed_distance(centre) - radius > depth) return 0;
+    constexpr int n = 6;
+    double sum = 0;
+    for (int cell = 0; cell < n * n * n; ++cell) {
+      const std::array<double, 3> xi{(cell % n + 0.5) / n, (cell / n % n + 0.5) / n,
+                                     (cell / n / n + 0.5) / n};
+      const auto edge = [&](int a, int b) -> Point { return (1 - xi[0]) * x[a] + xi[0] * x[b]; };
+      const Point low = (1 - xi[1]) * edge(0, 1) + xi[1] * edge(3, 2);
+      const Point high = (1 - xi[1]) * edge(4, 5) + xi[1] * edge(7, 6);
+      sum += weight((1 - xi[2]) * low + xi[2] * high);
+    }
+    return sum / (n * n * n);
+  }
+
+ private:
+  const FilledBody& body;
+  double depth;
+};
 
 } // namespace
 
@@ -117,14 +135,13 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
   const int layers = int(std::ceil(reach / pitch));
   const PointSet around = continue_points(body.shape, layers);
   const HexFinder finder(host->hexes);
+  const Overlap overlap(body, reach);
   std::vector<TiedPoint> points;
   for (std::size_t k = 0; k < around.position.size(); ++k) {
     TiedPoint p;
-    p.position = around.position[k], p.volume = around.volume[k], p.body = row;
-    if (body.shape.signed_distance(p.position) > tied_depth(body, reach) ||
-        belongs_to_other(bodies, row, p.position))
-      continue;
-    if (finder.find(p)) points.push_back(p);
+    p.position = around.position[k], p.body = row;
+    p.volume = around.volume[k] * overlap.weight(p.position);
+    if (p.volume > 0 && !belongs_to_other(bodies, row, p.position) && finder.find(p)) points.push_back(p);
   }
   if (points.empty() || faces.empty())
     reject(deck, *body.deck, "tie",
@@ -137,14 +154,17 @@ std::vector<TiedPoint> place_tied_points(const Deck& deck, const std::vector<Fil
 
 std::vector<double> stress_shares(const std::vector<FilledBody>& bodies, double reach) {
   std::vector<double> shares;
-  for (const FilledBody& host : bodies)
-    for (int hex = 0; hex < int(host.hexes.hex.size()); ++hex) {
-      double filled = 0;
-      for (const FilledBody& body : bodies)
-        if (body.has_particles() && body.deck->tie == host.deck->name)
-          filled = std::max(filled, filled_share(body, corners_of(host.hexes, hex), tied_depth(body, reach)));
-      shares.push_back(1 - filled);
+  for (const FilledBody& host : bodies) {
+    const std::size_t first = shares.size();
+    shares.resize(first + host.hexes.hex.size(), 1);
+    for (const FilledBody& body : bodies) {
+      if (!body.has_particles() || body.deck->tie != host.deck->name) continue;
+      const Overlap overlap(body, reach);
+      for (std::size_t hex = 0; hex < host.hexes.hex.size(); ++hex)
+        shares[first + hex] =
+            std::min(shares[first + hex], 1 - overlap.mean_weight(corners_of(host.hexes, int(hex))));
     }
+  }
   return shares;
 }
 

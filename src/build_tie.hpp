@@ -9,7 +9,7 @@ namespace swarf {
 // See tie.hpp. Nodes and hexes by their rows in the scene's mesh.
 struct TiedPoint {
   Point position{0, 0, 0}; // m
-  double volume = 0;       // m3
+  double volume = 0;       // m3, the weighted part of its cell
   int body = 0;            // index of the FilledBody whose lattice it continues
   int host = 0;
   std::array<double, 8> shape{};
@@ -27,7 +27,7 @@ bool touches_particles(const HexSet& hexes, const SurfaceQuad& quad, const Fille
 
 Tie make_tie(const std::vector<TiedPoint>& points, const HexMesh& mesh);
 
-// Per hex of the scene: the share of its volume that no tied particles fill, so that it carries stress there.
+// Per hex of the scene: the share of its volume that carries its own stress; tied particles carry the rest.
 std::vector<double> stress_shares(const std::vector<FilledBody>& bodies, double reach);
 
 } // namespace swarf

@@ -34,7 +34,7 @@ const Keys<ParticlesDeck>& particles_keys() {
        "artificial viscosity, share of density * wave speed * h"},
       {"viscosity_quadratic", &P::viscosity_quadratic, D::none, Range{0, 10}, "1.0", always,
        "artificial viscosity in shocks"},
-      {"hourglass_viscosity", &P::hourglass_viscosity, D::none, Range{0, 10}, "0.5", always,
+      {"hourglass_viscosity", &P::hourglass_viscosity, D::none, Range{0, 10}, "0.3", always,
        "damping of motion that the velocity gradient does not see, share of density * wave speed * h"},
       {"artificial_stress", &P::artificial_stress, D::none, share, "0.3", always,
        "share of a tension that is taken back between close pairs (Gray, Monaghan & Swift 2001); 0: off"},

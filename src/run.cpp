@@ -38,22 +38,29 @@ class Recorder {
         teeth(from.tool ? std::max(1, from.tool->flutes) : 1) {}
 
   void begin() {
-    history = std::make_unique<HistoryFile>(folder.history(), teeth);
+    write_file(folder.deck(), resolved_deck(deck));
+    if (deck.tool)
+      write_stl(make_tool_surface(*deck.tool, std::filesystem::path(deck.file).parent_path().string()),
+                (folder.path / "tool.stl").string());
+    history =
+        std::make_unique<HistoryFile>(folder.history(), teeth); // before start(), which may find a fault
     frames = std::make_unique<FrameSeries>(folder);
+    simulation.start();
     record(simulation.sample());
   }
 
   void resume() {
     const CheckpointReader in(folder.checkpoint());
-    if (in.deck_hash() != hash_text(resolved_deck(deck)))
+    if (in.deck_hash() != hash_scene())
       throw ResultsError(folder.checkpoint().string() +
-                         ": belongs to another deck. Resume with the deck it was written with, or start anew.");
+                         ": belongs to another deck, or its tool's file has "
+                         "changed since. Resume with the deck it was written with, or start anew.");
     simulation.read_state(in);
     long rows = 0;
     int written = 0;
     in.get("history_rows", rows), in.get("frames", written);
     in.get("next_frame", next_frame), in.get("next_checkpoint", next_checkpoint);
-    in.get("leaked", leaked);
+    in.get("leaked", leaked), in.get("last_frame", last_frame);
     history = std::make_unique<HistoryFile>(folder.history(), teeth, rows);
     frames = std::make_unique<FrameSeries>(folder, written);
   }
@@ -65,14 +72,18 @@ class Recorder {
       next_frame = (std::floor(sample.time / frame_interval * (1 + 1e-12)) + 1) * frame_interval;
     }
     if (sample.time >= next_checkpoint) {
-      next_checkpoint = (std::floor(sample.time / checkpoint_interval * (1 + 1e-12)) + 1) * checkpoint_interval;
+      next_checkpoint =
+          (std::floor(sample.time / checkpoint_interval * (1 + 1e-12)) + 1) * checkpoint_interval;
       write_checkpoint();
     }
   }
 
+  // The state of now, once.
   void write_frame() {
-    FrameData frame = copy_frame(simulation.scene().particles, simulation.scene().hexes, simulation.scene().tool,
-                                 simulation.pose());
+    if (last_frame == simulation.time()) return;
+    last_frame = simulation.time();
+    FrameData frame = copy_frame(simulation.scene().particles, simulation.scene().hexes,
+                                 simulation.scene().tool, simulation.pose());
     frame.time = simulation.time();
     if (deck.tool && deck.tool->spindle_speed > 0) frame.immersion = simulation.immersion_deg();
     frames->write(frame);
@@ -80,23 +91,32 @@ class Recorder {
   }
 
   void write_checkpoint() const {
-    CheckpointWriter out(folder.checkpoint(), hash_text(resolved_deck(deck)));
+    CheckpointWriter out(folder.checkpoint(), hash_scene());
     simulation.write_state(out);
     out.put("history_rows", history->rows()), out.put("frames", frames->count());
     out.put("next_frame", next_frame), out.put("next_checkpoint", next_checkpoint);
-    out.put("leaked", leaked);
+    out.put("leaked", leaked), out.put("last_frame", last_frame);
     out.finish();
   }
 
   int most_leaked() const { return leaked; }
 
  private:
+  // The deck, and the tool's facets, which may come from a file that the deck only names.
+  std::string hash_scene() const {
+    std::string text = resolved_deck(deck);
+    for (const auto& facet : simulation.scene().tool_facets)
+      for (const auto& corner : facet)
+        text.append(reinterpret_cast<const char*>(corner.data()), 3 * sizeof(corner[0]));
+    return hash_text(text);
+  }
+
   const Deck& deck;
   Simulation& simulation;
   ResultsFolder folder;
   double frame_interval, checkpoint_interval;
   int teeth, leaked = 0;
-  double next_frame = 0, next_checkpoint = 0;
+  double next_frame = 0, next_checkpoint = 0, last_frame = -1;
   std::unique_ptr<HistoryFile> history;
   std::unique_ptr<FrameSeries> frames;
 };
@@ -113,9 +133,6 @@ int run_deck(const RunOptions& options) {
   const double end = end_time_of(deck);
   Simulation simulation(deck);
   const ResultsFolder folder = options.resume ? open_results(where) : create_results(where);
-  write_file(folder.deck(), resolved_deck(deck));
-  if (deck.tool) write_stl(make_tool_surface(*deck.tool, std::filesystem::path(deck.file).parent_path().string()),
-                           (folder.path / "tool.stl").string());
   Recorder recorder(deck, simulation, folder, end);
   std::signal(SIGINT, on_interrupt), std::signal(SIGTERM, on_interrupt);
   Progress progress(deck, end);
@@ -125,24 +142,27 @@ int run_deck(const RunOptions& options) {
     if (options.resume)
       recorder.resume();
     else
-      simulation.start(), recorder.begin();
+      recorder.begin();
     while (simulation.time() < end && !interrupted) {
       simulation.step();
-      if (simulation.steps_to_check() > 0) continue;
+      const bool last = simulation.time() >= end; // is looked at as well: its faults must not pass
+      if (simulation.steps_to_check() > 0 && !last) continue;
       simulation.check();
       const HistorySample sample = simulation.sample();
       recorder.record(sample);
       progress.show(simulation, sample);
       if (options.stop_after > 0 && simulation.step_count() >= options.stop_after) break;
     }
-    if (interrupted) ended = "interrupted", exit_status = 130;
-    if (!interrupted) recorder.write_frame();
-    if (interrupted) recorder.write_checkpoint();
+    if (interrupted && simulation.time() < end)
+      ended = "interrupted", exit_status = 130, recorder.write_checkpoint();
+    else
+      recorder.write_frame();
   } catch (const SimulationFault& fault) {
     ended = fault.what(), exit_status = 3;
     recorder.write_frame();
     recorder.write_checkpoint();
   }
+  std::signal(SIGINT, SIG_DFL), std::signal(SIGTERM, SIG_DFL); // pictures may be cut short
   progress.finish();
   write_history_results(folder, deck.output.filter_frequency);
   write_summary(folder, deck, simulation, ended, progress.seconds(), recorder.most_leaked());

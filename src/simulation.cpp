@@ -76,11 +76,11 @@ void Simulation::update_rates_and_stresses() {
   velocity_gradient(model.particles, lists, particle_method);
   timer.mark("velocity gradient");
   if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles, dt);
-  hex_velocity_gradient(model.hexes, status);
+  hex_velocity_gradient(model.hexes, hex_status);
   timer.mark("hexes");
   update_stress(model.particles.points, model.materials, dt, status);
   if (deck.particles.density == "summation") sum_density(model.particles, lists, model.materials);
-  update_stress(model.hexes.points, model.materials, dt, status);
+  update_stress(model.hexes.points, model.materials, dt, hex_status);
   delete_hexes(model.hexes, hex_method);
   timer.mark("stress");
 }

@@ -55,7 +55,10 @@ class Simulation {
   void compute_forces();
   void press_tool();
   StableStep limit_step();
-  [[noreturn]] void fail(unsigned long long status);
+  void check_status(); // throws SimulationFault
+  [[noreturn]] void fail(Fault fault, const std::string& what);
+  std::string place_of_particle(unsigned row) const; // "particle 12 (row 3) at (x, y, z) m"
+  std::string place_of_hex(unsigned row) const;
 
   Deck deck;
   Scene model;
@@ -64,7 +67,7 @@ class Simulation {
   HexMethod hex_method;
   ContactLaw contact_law;
   Vector3 gravity;
-  Status status;
+  Status status, hex_status; // of particles; of hexes
   ToolLoadSums loads;
 
   double now = 0, step_size = 0, mass_factor = 1;

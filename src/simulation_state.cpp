@@ -26,8 +26,7 @@ ParticleMethod particle_method_of(const Deck& deck) {
 
 HexMethod hex_method_of(const Deck& deck) {
   HexMethod m;
-  m.hourglass =
-      deck.hexes.hourglass == "viscous" ? HourglassControl::viscous : HourglassControl::stiffness;
+  m.hourglass = deck.hexes.hourglass == "viscous" ? HourglassControl::viscous : HourglassControl::stiffness;
   m.hourglass_coefficient = Real(deck.hexes.hourglass_coefficient);
   m.viscosity_linear = Real(deck.hexes.viscosity_linear);
   m.viscosity_quadratic = Real(deck.hexes.viscosity_quadratic);
@@ -47,22 +46,27 @@ Field first_rows(const Field& field, int rows) {
   return copy;
 }
 
+unsigned long long value_of(const Status& status) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, status)();
+}
+
 } // namespace
 
 Simulation::Simulation(const Deck& from)
     : deck(from), model(build_scene(from)), particle_method(particle_method_of(from)),
       hex_method(hex_method_of(from)), gravity(to_vector(from.run.gravity)), status("status"),
-      mass_factor(from.run.mass_factor) {
+      hex_status("hex_status"), mass_factor(from.run.mass_factor) {
   contact_law.friction = Real(deck.contact.friction);
   contact_law.shear_limit = Real(deck.contact.shear_limit.value_or(0));
   contact_law.stiffness = Real(deck.contact.stiffness);
   contact_law.heat_to_workpiece = Real(deck.contact.heat_to_workpiece);
   lists.cutoff = Real(model.cutoff), lists.skin = Real(model.skin);
   loads = make_tool_load_sums(std::max(model.particles.count, model.hexes.nodes));
-  Kokkos::deep_copy(status, no_fault);
+  Kokkos::deep_copy(status, no_fault), Kokkos::deep_copy(hex_status, no_fault);
 }
 
 void Simulation::start() {
+  timer.restart();
   rebuild_lists();
   step_size = 0; // rates and forces of the initial state; nothing moves, no history is made
   follow_hexes_and_images();
@@ -77,8 +81,7 @@ void Simulation::start() {
 }
 
 StableStep Simulation::limit_step() {
-  const StableStep of_particles =
-      stable_step(model.particles, lists, model.materials, Real(mass_factor));
+  const StableStep of_particles = stable_step(model.particles, lists, model.materials, Real(mass_factor));
   StableStep of_hexes = stable_step(model.hexes, model.materials, Real(mass_factor));
   const bool hexes_limit =
       of_hexes.limiter >= 0 && (of_particles.limiter < 0 || of_hexes.dt < of_particles.dt);
@@ -90,13 +93,11 @@ StableStep Simulation::limit_step() {
 
 void Simulation::check() {
   timer.restart();
-  const auto seen = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, status);
-  if (seen() != no_fault) fail(seen());
+  check_status();
   const StableStep limit = limit_step();
   step_size = deck.run.courant * double(limit.dt);
   const double room = 0.5 * double(lists.skin) - double(limit.max_displacement);
-  if (model.particles.count > 0 && room < 0)
-    fail((static_cast<unsigned long long>(Fault::skin_exceeded) << 32) + unsigned(limit.limiter));
+  if (model.particles.count > 0 && room < 0) fail(Fault::skin_exceeded, "");
   const double speed = double(std::max(sum_particles(model.particles, Real(mass_factor)).max_speed,
                                        sum_hexes(model.hexes, Real(mass_factor)).max_speed));
   // Twice the present speed is allowed for until the next look.
@@ -151,34 +152,51 @@ int Simulation::leaked_particles() const {
   return count_points_inside(points, model.tool, pose(), Real(0.25 * model.spacing));
 }
 
-void Simulation::fail(unsigned long long code) {
-  const auto fault = static_cast<Fault>(code >> 32);
-  const unsigned row = unsigned(code & 0xffffffffu);
-  const char* what = fault == Fault::non_finite       ? "a state that is not a finite number"
-                     : fault == Fault::inverted_hex   ? "a hex turned inside out"
-                     : fault == Fault::return_mapping ? "a plastic return that did not converge"
-                     : fault == Fault::particle_lost  ? "a particle that left its periodic body"
+void Simulation::check_status() {
+  const auto of_particles = value_of(status), of_hexes = value_of(hex_status);
+  if (of_particles != no_fault) fail(Fault(of_particles >> 32), place_of_particle(unsigned(of_particles)));
+  if (of_hexes != no_fault) fail(Fault(of_hexes >> 32), place_of_hex(unsigned(of_hexes)));
+}
+
+std::string Simulation::place_of_particle(unsigned row) const {
+  const Vector3 x = load_vector(host_copy(model.particles.position), int(row));
+  const bool tied = int(row) >= model.particles.count;
+  return fmt::format("{} {} (row {}) at ({:.6g}, {:.6g}, {:.6g}) m", tied ? "tied particle" : "particle",
+                     host_copy(model.particles.identity)(row), row, x.x, x.y, x.z);
+}
+
+std::string Simulation::place_of_hex(unsigned row) const {
+  const Vector3 x = load_vector(host_copy(model.hexes.position), host_copy(model.hexes.connectivity)(row, 0));
+  return fmt::format("hex {} (row {}) at ({:.6g}, {:.6g}, {:.6g}) m", row, row, x.x, x.y, x.z);
+}
+
+void Simulation::fail(Fault fault, const std::string& where) {
+  const char* what = fault == Fault::non_finite       ? "a state that is not a finite number, in "
+                     : fault == Fault::inverted_hex   ? "turned inside out: "
+                     : fault == Fault::return_mapping ? "a plastic return that did not converge, in "
+                     : fault == Fault::particle_lost  ? "out of its periodic body: "
                                                       : "particles that outran the neighbour lists";
-  throw SimulationFault(fmt::format("the run became unstable: {} (row {}) at t = {:.6g} s, step {}. "
+  throw SimulationFault(fmt::format("the run became unstable: {}{}; t = {:.6g} s, step {}. "
                                     "Try a smaller run.courant or run.mass_factor.",
-                                    what, row, now, steps));
+                                    what, where, now, steps));
 }
 
 void Simulation::write_state(CheckpointWriter& out) const {
   Particles p = model.particles; // Views: shallow
   HexMesh m = model.hexes;
   const int rows = p.count + p.tied;
-  p.for_each_field([&](const std::string& name, auto& field) {
-    out.put("particles/" + name, first_rows(field, rows));
-  });
+  p.for_each_field(
+      [&](const std::string& name, auto& field) { out.put("particles/" + name, first_rows(field, rows)); });
   m.for_each_field([&](const std::string& name, auto& field) { out.put("hexes/" + name, field); });
   out.put("lists/build_position", first_rows(lists.build_position, rows));
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
   const Real* values = reinterpret_cast<const Real*>(&load);
   out.put("tool_load", std::vector<Real>(values, values + sizeof(ToolLoad) / sizeof(Real)));
   out.put("time", now), out.put("step_size", step_size), out.put("steps", steps);
-  out.put("reference_step", contact_law.reference_step), out.put("next_check", next_check), out.put("rebuild_count", rebuild_count);
+  out.put("reference_step", contact_law.reference_step), out.put("next_check", next_check),
+      out.put("rebuild_count", rebuild_count);
   out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
+  out.put("status", value_of(status)), out.put("hex_status", value_of(hex_status));
   out.put("initial_energy", initial_energy), out.put("tool_work", tool_work);
 }
 
@@ -214,6 +232,9 @@ void Simulation::read_state(const CheckpointReader& in) {
   int due = 0;
   in.get("lists_due", due);
   lists_due = due != 0;
+  unsigned long long seen = no_fault; // of steps since the last check
+  in.get("status", seen), Kokkos::deep_copy(status, seen);
+  in.get("hex_status", seen), Kokkos::deep_copy(hex_status, seen);
   in.get("initial_energy", initial_energy), in.get("tool_work", tool_work);
 }
 

@@ -32,7 +32,8 @@ double memory_bytes() {
 
 // Length along z and largest radius about z of each body: what a Taylor bar is measured by.
 Json shapes_of(const Deck& deck, const Scene& scene) {
-  std::vector<Triple> low(deck.bodies.size(), Triple{1e300, 1e300, 1e300}), high(deck.bodies.size(), {-1e300, -1e300, -1e300});
+  std::vector<Triple> low(deck.bodies.size(), Triple{1e300, 1e300, 1e300}),
+      high(deck.bodies.size(), {-1e300, -1e300, -1e300});
   std::vector<double> radius(deck.bodies.size(), 0);
   const auto grow = [&](int body, const Vector3& x, double margin) {
     const std::array<double, 3> at{x.x, x.y, x.z};
@@ -77,13 +78,16 @@ Json energies_of(const ResultsFolder& folder) {
   const HistoryTable raw = read_history(folder.history());
   Json energies;
   double total = 0;
-  for (const char* name : {"kinetic_energy", "elastic_energy", "plastic_work", "friction_work", "viscous_work", "hourglass_work", "contact_energy", "tie_work"}) {
+  for (const char* name : {"kinetic_energy", "elastic_energy", "plastic_work", "friction_work",
+                           "viscous_work", "hourglass_work", "contact_energy", "tie_work"}) {
     energies.set(name, last(raw.at(name)));
     total += std::abs(last(raw.at(name)));
   }
-  energies.set("external_work", last(raw.at("external_work"))).set("energy_residual", last(raw.at("energy_residual")));
+  energies.set("external_work", last(raw.at("external_work")))
+      .set("energy_residual", last(raw.at("energy_residual")));
   // A body that is only slowed down does work on nothing: its initial energy is then the measure.
-  const double measure = std::max(std::abs(last(raw.at("external_work"))), raw.at("kinetic_energy").front());
+  const double initial = raw.rows() > 0 ? raw.at("kinetic_energy").front() : 0;
+  const double measure = std::max(std::abs(last(raw.at("external_work"))), initial);
   double worst = 0;
   for (const double r : raw.at("energy_residual")) worst = std::max(worst, std::abs(r));
   energies.set("worst_residual_over_external", measure > 0 ? worst / measure : 0);
@@ -93,8 +97,8 @@ Json energies_of(const ResultsFolder& folder) {
 
 } // namespace
 
-void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulation& s, const std::string& ended,
-                   double seconds, int leaked) {
+void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulation& s,
+                   const std::string& ended, double seconds, int leaked) {
   const Scene& scene = s.scene();
   Json cost;
   cost.set("wall_seconds", seconds).set("threads", ExecSpace().concurrency());

@@ -104,10 +104,12 @@ SWARF_FN ReturnMapping return_radially(const Material& mat, Real trial_von_mises
   if (residual <= return_tolerance * start_stress) return {0, start_stress, residual, 0, true};
   Real d = first_increment(mat, residual, start.equivalent_plastic_strain, softening);
   FlowStress flow{start_stress, 0};
+  // Near melting the flow stress vanishes before the terms whose difference the residual is.
+  const Real round_off = Real(4) * Kokkos::Experimental::epsilon_v<Real> * trial_von_mises;
   for (int k = 1; k <= max_iterations; ++k) {
     flow = flow_stress(mat, start.equivalent_plastic_strain + d, d, dt, softening);
     residual = trial_von_mises - three_G * d - flow.value;
-    if (Kokkos::abs(residual) <= return_tolerance * flow.value) return {d, flow.value, residual, k, true};
+    if (Kokkos::abs(residual) <= return_tolerance * flow.value + round_off) return {d, flow.value, residual, k, true};
     (residual > Real(0) ? low : high) = d;
     d += residual / (three_G + flow.slope);
     if (!(d < high)) d = Real(0.5) * (low + high);

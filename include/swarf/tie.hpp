@@ -6,8 +6,10 @@ namespace swarf {
 
 // Row k belongs to the tied particle at row particles.count + k. It moves by the 8 shape functions of its
 // host hex (exact for linear fields) and is a particle in every other respect: its own gradient, stress and
-// force. The force goes to the host's nodes by the same shape functions. What the tied particles fill of a
-// hex carries no stress of its own (HexMesh::share) but keeps its mass. So all forces follow from one power,
+// force. The force goes to the host's nodes by the same shape functions. The stress passes from particles to
+// hexes along a ramp: the volume of tied particles falls from all to none of their cell over the support, and
+// what they leave of a hex carries the hex's stress (HexMesh::share); the mass stays with the nodes. So all
+// forces follow from one power,
 //   sum over particles and tied particles V sigma : L  +  sum over hexes share V sigma : L,
 // and momentum, angular momentum and energy pass to round-off.
 struct Tie {
