@@ -1,0 +1,123 @@
+// A run that is killed, interrupted or spread over threads ends in the same bytes as one that is not.
+#include "src/results.hpp"
+#include "src/write_hdf5.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/small_deck.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <map>
+#include <random>
+
+using namespace swarf;
+using namespace swarf::test;
+using testing::AllOf;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Every file of a results folder; of the summary all but the times that the run took.
+std::map<std::string, std::string> read_folder(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    std::string bytes = read_bytes(entry.path());
+    if (entry.path().filename() == "summary.json") bytes.resize(bytes.find("\"cost\""));
+    files[fs::relative(entry.path(), folder).string()] = bytes;
+  }
+  return files;
+}
+
+void expect_equal(const fs::path& truth, const fs::path& other) {
+  const auto a = read_folder(truth), b = read_folder(other);
+  for (const char* name : {"history.csv", "results.h5", "frames.pvd", "checkpoint.h5", "deck.toml",
+                           "summary.json", "frames/frame_0000_particles.vtu"})
+    EXPECT_TRUE(a.contains(name)) << name;
+  for (const auto& [name, bytes] : a) EXPECT_TRUE(b.contains(name) && b.at(name) == bytes) << name;
+  for (const auto& [name, bytes] : b) EXPECT_TRUE(a.contains(name)) << name << " is too many";
+}
+
+double run_whole(const std::string& deck, const fs::path& results, int threads = 1) {
+  const auto start = std::chrono::steady_clock::now();
+  const Ended end = run_program(run_arguments(deck, results, false, threads));
+  EXPECT_EQ(end.status, 0) << end.output;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Kills the run `kills` times, each at a random share of the time that a whole run takes, then ends it.
+void run_with_kills(const std::string& deck, const fs::path& results, double whole, int kills) {
+  std::mt19937 random(5);
+  int killed = 0;
+  for (int k = 0; k <= kills; ++k) {
+    Program run(run_arguments(deck, results, fs::exists(results / "checkpoint.h5")));
+    if (k < kills) pause_for(whole * std::uniform_real_distribution<double>(0.2, 0.9)(random));
+    if (k < kills) killed += run.runs() ? 1 : 0, run.send(SIGKILL);
+    const Ended end = run.wait();
+    EXPECT_TRUE(end.status == 0 || (k < kills && end.status == 128 + SIGKILL)) << end.status << end.output;
+  }
+  EXPECT_GE(killed, kills / 2) << "most kills came too late";
+}
+
+double largest_component(const CheckpointReader& checkpoint, const std::string& field) {
+  VectorField values;
+  checkpoint.get(field, values);
+  const auto host = host_copy(values);
+  double largest = 0;
+  for (std::size_t i = 0; i < host.extent(0); ++i)
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(double(host(i, c))));
+  return largest;
+}
+
+} // namespace
+
+TEST(Restart, killed_at_random_times) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(folder, small_deck);
+  const double whole = run_whole(deck, folder / "whole");
+  const CheckpointReader checkpoint(folder / "whole" / "checkpoint.h5");
+  EXPECT_GT(largest_component(checkpoint, "particles/friction_force"), 0);
+  EXPECT_GT(largest_component(checkpoint, "hexes/velocity"), 0);
+  run_with_kills(deck, folder / "killed", whole, 6);
+  expect_equal(folder / "whole", folder / "killed");
+}
+
+// The options that carry more state: smoothing length, summed density, deleted hexes; dt changes on the way.
+TEST(Restart, killed_with_other_methods) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(
+      folder, edit_small_deck({{"\"fixed\"\n[hexes]", "\"evolving\"\ndensity = \"summation\"\n[hexes]"},
+                               {"\"stiffness\"", "\"viscous\"\ndelete_at_strain = 0.002"}}));
+  const double whole = run_whole(deck, folder / "whole");
+  run_with_kills(deck, folder / "killed", whole, 3);
+  expect_equal(folder / "whole", folder / "killed");
+}
+
+TEST(Restart, threads_and_repetition_change_no_byte) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(folder, small_deck);
+  run_whole(deck, folder / "first"), run_whole(deck, folder / "second");
+  expect_equal(folder / "first", folder / "second");
+  run_whole(deck, folder / "two threads", 2);
+  expect_equal(folder / "first", folder / "two threads");
+}
+
+TEST(Restart, interrupted_run_says_how_to_continue) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(folder, small_deck);
+  run_whole(deck, folder / "whole");
+  const fs::path results = folder / "interrupted";
+  Program run(run_arguments(deck, results));
+  while (run.runs() && read_bytes(results / "history.csv").size() < 20000) pause_for(0.005);
+  run.send(SIGINT);
+  const Ended end = run.wait();
+  EXPECT_EQ(end.status, 130) << end.output;
+  EXPECT_THAT(end.output,
+              HasSubstr("continue with: swarf run " + deck + " --output " + results.string() + " --resume"));
+  EXPECT_THAT(read_bytes(results / "summary.json"), HasSubstr("\"ended\": \"interrupted\""));
+  double time = 0;
+  CheckpointReader(results / "checkpoint.h5").get("time", time);
+  EXPECT_GT(time, 0);
+  const Ended resumed = run_program(run_arguments(deck, results, true));
+  EXPECT_EQ(resumed.status, 0) << resumed.output;
+  expect_equal(folder / "whole", results);
+}
