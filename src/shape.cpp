@@ -155,7 +155,9 @@ double Shape::signed_distance(const Point& x) const {
   const double along = std::max(-r.z(), r.z() - b.height);
   if (b.shape == "cylinder") return std::max(along, radius - b.radius);
   const double angle = std::atan2(r.y(), r.x());
-  const double radial = std::max(radius - b.outer_radius, inner(angle, x.z()) - radius);
+  // The inner surface costs an iteration, and cannot matter outside.
+  const double outside = radius - b.outer_radius;
+  const double radial = outside > 0 ? outside : std::max(outside, inner(angle, x.z()) - radius);
   if (closed) return std::max(along, radial);
   const double middle = 0.5 * (b.start_angle + b.end_angle);
   const double from_end = std::abs(std::remainder(angle - middle, 2 * pi)) - 0.5 * sector(b);

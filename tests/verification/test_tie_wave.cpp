@@ -89,6 +89,23 @@ Outcome run(int ratio, double width) {
 
 } // namespace
 
+// Undamped and for long: the pulse crosses the tie ten times, and what energy the tie gave or took would
+// show.
+TEST(TieWave, EnergyIsKeptForLong) {
+  for (const int ratio : {1, 2, 3}) {
+    Simulation simulation(bar(ratio));
+    start_pulse(simulation.scene(), 6 * spacing);
+    const double kinetic = double(sum_particles(simulation.scene().particles, 1).kinetic);
+    simulation.start();
+    const double c = double(longitudinal_wave_speed(host_copy(simulation.scene().materials)(0)));
+    while (simulation.time() < 6 * length / c) {
+      simulation.step();
+      if (simulation.steps_to_check() <= 0) simulation.check();
+    }
+    EXPECT_NEAR(simulation.sample().residual / (2 * kinetic), 0, 1e-3) << ratio;
+  }
+}
+
 TEST(TieWave, PulsePassesFromParticlesToHexes) {
   std::printf("half width / spacing, hex / spacing: reflected speed, reflected energy, passed speed, "
               "momentum, energy\n");
@@ -97,10 +114,9 @@ TEST(TieWave, PulsePassesFromParticlesToHexes) {
       const Outcome o = run(ratio, width * spacing);
       std::printf("%4.0f %4d: %.4f %.2e %.4f %.1e %.1e\n", width, ratio, o.reflected_speed,
                   o.reflected_energy, o.passed_speed, o.momentum_error, o.energy_error);
-      EXPECT_LT(o.reflected_speed, 0.1);
-      EXPECT_LT(o.reflected_energy, 0.01);
-      EXPECT_NEAR(o.passed_speed, 1, 0.1);
-      EXPECT_NEAR(o.momentum_error, 0, 1e-10);
-      EXPECT_NEAR(o.energy_error, 0, 0.01);
+      EXPECT_LT(o.reflected_energy, width == 6 ? 0.01 : 0.001);
+      EXPECT_NEAR(o.passed_speed, 1, width == 6 ? 0.1 : 0.01); // the mesh disperses short pulses
+      EXPECT_NEAR(o.momentum_error, 0, 1e-12);
+      EXPECT_NEAR(o.energy_error, 0, 1e-4);
     }
 }
