@@ -74,7 +74,7 @@ class Simulation {
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;
   bool lists_due = false;
-  double initial_energy = 0;
+  double initial_energy = 0, driving_speed = 0;
   double tool_work = 0;
   std::string step_limiter;
 };

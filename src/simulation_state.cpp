@@ -46,6 +46,20 @@ Field first_rows(const Field& field, int rows) {
   return copy;
 }
 
+// Of tool and held faces: what a scene at rest will soon move at.
+double driving_speed_of(const Deck& deck, const Scene& scene) {
+  const auto length = [](const Triple& v) { return std::hypot(v[0], v[1], v[2]); };
+  double speed = 0;
+  for (const BodyDeck& body : deck.bodies)
+    for (const FaceDeck& face : body.faces) speed = std::max(speed, length(face.velocity));
+  if (!deck.tool) return speed;
+  const ToolPose pose = tool_pose(*deck.tool, 0);
+  double radius = 0;
+  for (const auto& facet : scene.tool_facets)
+    for (const Triple& corner : facet) radius = std::max(radius, std::hypot(corner[0], corner[1]));
+  return std::max(speed, double(norm(pose.velocity)) + std::abs(double(pose.angular_velocity)) * radius);
+}
+
 unsigned long long value_of(const Status& status) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, status)();
 }
@@ -56,6 +70,7 @@ Simulation::Simulation(const Deck& from)
     : deck(from), model(build_scene(from)), particle_method(particle_method_of(from)),
       hex_method(hex_method_of(from)), gravity(to_vector(from.run.gravity)), status("status"),
       hex_status("hex_status"), mass_factor(from.run.mass_factor) {
+  driving_speed = driving_speed_of(deck, model);
   contact_law.friction = Real(deck.contact.friction);
   contact_law.shear_limit = Real(deck.contact.shear_limit.value_or(0));
   contact_law.stiffness = Real(deck.contact.stiffness);
@@ -100,8 +115,8 @@ void Simulation::check() {
   if (model.particles.count > 0 && room < 0) fail(Fault::skin_exceeded, "");
   const double speed = double(std::max(sum_particles(model.particles, Real(mass_factor)).max_speed,
                                        sum_hexes(model.hexes, Real(mass_factor)).max_speed));
-  // Twice the present speed is allowed for until the next look.
-  const double reach = 2 * speed * step_size;
+  // Twice the present speed, or the tool's, is allowed for until the next look.
+  const double reach = 2 * std::max(speed, driving_speed) * step_size;
   const double whole = 0.5 * double(lists.skin);
   long interval = deck.output.history_steps;
   if (model.particles.count > 0 && reach * interval > 0.5 * whole)
