@@ -3,6 +3,7 @@
 #include "src/write_hdf5.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -86,8 +87,12 @@ TEST(Restart, killed_with_other_methods) {
   const TemporaryFolder folder;
   const std::string deck = write_deck(
       folder, edit_small_deck({{"\"fixed\"\n[hexes]", "\"evolving\"\ndensity = \"summation\"\n[hexes]"},
-                               {"\"stiffness\"", "\"viscous\"\ndelete_at_strain = 0.002"}}));
+                               {"\"stiffness\"", "\"viscous\"\ndelete_at_strain = 1e-6"}}));
   const double whole = run_whole(deck, folder / "whole");
+  IndexField active;
+  CheckpointReader(folder / "whole" / "checkpoint.h5").get("hexes/active", active);
+  const auto left = host_copy(active);
+  EXPECT_GT(std::count(left.data(), left.data() + left.extent(0), 0), 0) << "no hex was deleted";
   run_with_kills(deck, folder / "killed", whole, 3);
   expect_equal(folder / "whole", folder / "killed");
 }
