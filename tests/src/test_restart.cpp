@@ -38,21 +38,27 @@ void expect_equal(const fs::path& truth, const fs::path& other) {
   for (const auto& [name, bytes] : b) EXPECT_TRUE(a.contains(name)) << name << " is too many";
 }
 
-double run_whole(const std::string& deck, const fs::path& results, int threads = 1) {
-  const auto start = std::chrono::steady_clock::now();
+// Returns the length of its history.
+std::size_t run_whole(const std::string& deck, const fs::path& results, int threads = 1) {
   const Ended end = run_program(run_arguments(deck, results, false, threads));
   EXPECT_EQ(end.status, 0) << end.output;
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return fs::file_size(results / "history.csv");
 }
 
-// Kills the run `kills` times, each at a random share of the time that a whole run takes, then ends it.
-void run_with_kills(const std::string& deck, const fs::path& results, double whole, int kills) {
+// Kills the run `kills` times, each at a random moment of its own share of the run, then lets it end. The
+// history's length says how far it is: a time would not, on a machine with other work.
+void run_with_kills(const std::string& deck, const fs::path& results, std::size_t whole_history, int kills) {
   std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0, 1);
   int killed = 0;
   for (int k = 0; k <= kills; ++k) {
     Program run(run_arguments(deck, results, fs::exists(results / "checkpoint.h5")));
-    if (k < kills) pause_for(whole * std::uniform_real_distribution<double>(0.2, 0.9)(random));
-    if (k < kills) killed += run.runs() ? 1 : 0, run.send(SIGKILL);
+    if (k < kills) {
+      const auto until = std::size_t((k + share(random)) / kills * double(whole_history));
+      while (run.runs() && read_bytes(results / "history.csv").size() < until) pause_for(0.002);
+      pause_for(0.02 * share(random)); // somewhere in a step, a frame or a checkpoint
+      killed += run.runs() ? 1 : 0, run.send(SIGKILL);
+    }
     const Ended end = run.wait();
     EXPECT_TRUE(end.status == 0 || (k < kills && end.status == 128 + SIGKILL)) << end.status << end.output;
   }
@@ -74,7 +80,7 @@ double largest_component(const CheckpointReader& checkpoint, const std::string& 
 TEST(Restart, killed_at_random_times) {
   const TemporaryFolder folder;
   const std::string deck = write_deck(folder, small_deck);
-  const double whole = run_whole(deck, folder / "whole");
+  const std::size_t whole = run_whole(deck, folder / "whole");
   const CheckpointReader checkpoint(folder / "whole" / "checkpoint.h5");
   EXPECT_GT(largest_component(checkpoint, "particles/friction_force"), 0);
   EXPECT_GT(largest_component(checkpoint, "hexes/velocity"), 0);
@@ -88,7 +94,7 @@ TEST(Restart, killed_with_other_methods) {
   const std::string deck = write_deck(
       folder, edit_small_deck({{"\"fixed\"\n[hexes]", "\"evolving\"\ndensity = \"summation\"\n[hexes]"},
                                {"\"stiffness\"", "\"viscous\"\ndelete_at_strain = 1e-6"}}));
-  const double whole = run_whole(deck, folder / "whole");
+  const std::size_t whole = run_whole(deck, folder / "whole");
   IndexField active;
   CheckpointReader(folder / "whole" / "checkpoint.h5").get("hexes/active", active);
   const auto left = host_copy(active);

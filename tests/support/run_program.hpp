@@ -55,7 +55,9 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  void send(int signal) const { kill(child, signal); }
+  void send(int signal) {
+    if (runs()) kill(child, signal); // the number of a child that has ended may be another's by now
+  }
   bool runs() {
     if (!ended) ended = waitpid(child, &raw_status, WNOHANG) == child;
     return !ended;
