@@ -25,7 +25,8 @@ const Keys<ParticlesDeck>& particles_keys() {
       {"correction", &P::correction, D::none, any, "true", always,
        "correct the kernel gradient (Randles & Libersky 1996): exact for linear fields"},
       {"correct_forces", &P::correct_forces, D::none, any, "true", always,
-       "correct the gradient in the forces as well (Bonet & Lok 1999): conserves angular momentum and energy"},
+       "correct the gradient in the forces as well (Bonet & Lok 1999): conserves angular momentum and "
+       "energy"},
       {"viscosity_form", &P::viscosity_form, D::none, Choices{"reconstructed", "monaghan"},
        R"("reconstructed")", always,
        "reconstructed: acts only on what a linear velocity field does not explain; monaghan: on the whole "

@@ -20,7 +20,9 @@ int with_kokkos(int threads, const Work& work) {
   return work();
 }
 
-int threads_for(const std::string& deck, int asked) { return asked > 0 ? asked : swarf::read_deck(deck).run.threads; }
+int threads_for(const std::string& deck, int asked) {
+  return asked > 0 ? asked : swarf::read_deck(deck).run.threads;
+}
 
 } // namespace
 
@@ -35,7 +37,8 @@ int main(int argc, char** argv) {
   CLI::App* run = app.add_subcommand("run", "run a deck");
   run->add_option("deck", options.deck, "the deck, a TOML file")->required();
   run->add_option("-o,--output", options.output, "results folder (default results/NAME of the deck)");
-  run->add_option("-t,--threads", threads, "threads (default: the deck's, else all cores)")->check(CLI::PositiveNumber);
+  run->add_option("-t,--threads", threads, "threads (default: the deck's, else all cores)")
+      ->check(CLI::PositiveNumber);
   run->add_option("--stop-after", options.stop_after, "stop after so many steps")->check(CLI::PositiveNumber);
   run->add_flag("--resume", options.resume, "continue from the folder's checkpoint");
   run->add_flag("--no-pictures", no_pictures, "draw nothing at the end");

@@ -9,7 +9,8 @@ namespace swarf {
 
 class PhaseTimer {
  public:
-  // Time since the last mark goes to `phase`. A fence belongs before it on a GPU; on a CPU launches return done.
+  // Time since the last mark goes to `phase`. A fence belongs before it on a GPU; on a CPU launches return
+  // done.
   void mark(const char* phase) {
     const auto current = Clock::now();
     const double seconds = std::chrono::duration<double>(current - last).count();

@@ -12,7 +12,8 @@ Progress::Progress(const Deck& deck, double end_time)
 double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void Progress::show(const Simulation& s, const HistorySample& h) {
-  if (start_time < 0) start_time = s.time(), start_step = s.step_count(), initial_kinetic = s.initial_kinetic();
+  if (start_time < 0)
+    start_time = s.time(), start_step = s.step_count(), initial_kinetic = s.initial_kinetic();
   const auto current = Clock::now();
   if (current - last < std::chrono::seconds(terminal ? 1 : 10)) return;
   last = current;
@@ -26,7 +27,8 @@ void Progress::show(const Simulation& s, const HistorySample& h) {
   fmt::print("{}{:5.1f} %{} | step {} dt {:.3g} s by {} | {:.2f} M particle-steps/s | {:.0f} s left | planar "
              "{:.3g} N | hottest {:.0f} K | energy residual {:+.2f} %{}",
              terminal ? "\r" : "", 100 * s.time() / end, angle, s.step_count(), h.dt, s.limiter(), rate / 1e6,
-             left, std::hypot(h.force[0], h.force[1]), h.max_temperature, relative, terminal ? "\033[K" : "\n");
+             left, std::hypot(h.force[0], h.force[1]), h.max_temperature, relative,
+             terminal ? "\033[K" : "\n");
   std::fflush(stdout);
 }
 

@@ -5,11 +5,11 @@
 namespace swarf {
 
 struct RunOptions {
-  std::string deck;       // file
-  std::string output;     // folder; empty: results/<name of the deck file>
-  bool resume = false;    // continue from the folder's checkpoint
-  bool pictures = true;   // draw them at the end
-  long stop_after = 0;    // steps; 0: the deck's end. For trials of large scenes
+  std::string deck;     // file
+  std::string output;   // folder; empty: results/<name of the deck file>
+  bool resume = false;  // continue from the folder's checkpoint
+  bool pictures = true; // draw them at the end
+  long stop_after = 0;  // steps; 0: the deck's end. For trials of large scenes
 };
 
 // Exit status: 0 done, 3 the computation became unstable (last frame and checkpoint written), 130 interrupted

@@ -11,18 +11,18 @@ namespace swarf {
 
 // Everything that the step works on. Particles are allocated for count + tied rows; images come later.
 struct Scene {
-  MaterialTable materials;         // rows in the order of deck.materials
-  Particles particles;             // particles.body: row of deck.bodies
-  HexMesh hexes;                   // all bodies of hexes in one mesh
-  IndexField hex_body;             // row of deck.bodies
+  MaterialTable materials; // rows in the order of deck.materials
+  Particles particles;     // particles.body: row of deck.bodies
+  HexMesh hexes;           // all bodies of hexes in one mesh
+  IndexField hex_body;     // row of deck.bodies
   Tie tie;
   std::vector<ImagePlane> image_planes; // host; even count, at most max_image_planes
   TransformTable node_transforms;       // of hexes.coupled_nodes
   ConstraintTable constraints;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
   Tool tool;
-  double spacing = 0;       // of the finest particles, m; 0 without particles
-  double cutoff = 0;        // largest support 2 h + skin, m
+  double spacing = 0; // of the finest particles, m; 0 without particles
+  double cutoff = 0;  // largest support 2 h + skin, m
   double skin = 0;
 };
 

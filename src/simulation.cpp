@@ -16,9 +16,10 @@ Motion motion_of(const HexMesh& m) {
 } // namespace
 
 ContactPoints contact_points_of(const Particles& p) {
-  return {p.count,          p.position,           p.velocity,       p.points.mass,   p.contact_gap,
-          p.contact_area,   p.force,              p.friction_force, p.contact_force, p.friction_work,
-          p.contact_energy, p.points.temperature, p.points.material};
+  return {p.count,          p.position,      p.velocity,       p.points.mass,
+          p.contact_gap,    p.contact_area,  p.force,          p.friction_force,
+          p.contact_force,  p.friction_work, p.contact_energy, p.points.temperature,
+          p.points.material};
 }
 ContactPoints contact_points_of(const HexMesh& m) {
   return {m.nodes,          m.position,    m.velocity,       m.mass,          m.contact_gap,

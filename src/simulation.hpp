@@ -20,12 +20,12 @@ class Simulation {
  public:
   explicit Simulation(const Deck& deck);
 
-  void start();                               // lists and forces of the initial state
-  void step();                                // the equations of one time step
-  void write_state(CheckpointWriter&) const;  // everything that the next step depends on
-  void read_state(const CheckpointReader&);   // instead of start()
-  // Reads the status, sets dt and rebuilds the lists if the particles may outrun the skin before the next call.
-  // Throws SimulationFault. Steps until it wants to be called again: steps_to_check().
+  void start();                              // lists and forces of the initial state
+  void step();                               // the equations of one time step
+  void write_state(CheckpointWriter&) const; // everything that the next step depends on
+  void read_state(const CheckpointReader&);  // instead of start()
+  // Reads the status, sets dt and rebuilds the lists if the particles may outrun the skin before the next
+  // call. Throws SimulationFault. Steps until it wants to be called again: steps_to_check().
   void check();
   long steps_to_check() const { return next_check - steps; }
   // Energies, mean tool force since the last sample, extremes. The only copy from the device, with check().

@@ -5,8 +5,8 @@
 
 namespace swarf {
 
-// From history.csv and the simulation: counts, cost, forces (filtered peak, means of the last half), energies,
-// final shape. `ended` is "complete", "interrupted" or the fault's message.
+// From history.csv and the simulation: counts, cost, forces (filtered peak, means of the last half),
+// energies, final shape. `ended` is "complete", "interrupted" or the fault's message.
 void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulation& simulation,
                    const std::string& ended, double seconds, int leaked);
 

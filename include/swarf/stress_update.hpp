@@ -109,7 +109,8 @@ SWARF_FN ReturnMapping return_radially(const Material& mat, Real trial_von_mises
   for (int k = 1; k <= max_iterations; ++k) {
     flow = flow_stress(mat, start.equivalent_plastic_strain + d, d, dt, softening);
     residual = trial_von_mises - three_G * d - flow.value;
-    if (Kokkos::abs(residual) <= return_tolerance * flow.value + round_off) return {d, flow.value, residual, k, true};
+    if (Kokkos::abs(residual) <= return_tolerance * flow.value + round_off)
+      return {d, flow.value, residual, k, true};
     (residual > Real(0) ? low : high) = d;
     d += residual / (three_G + flow.slope);
     if (!(d < high)) d = Real(0.5) * (low + high);
