@@ -16,7 +16,7 @@ void hex_forces(const HexMesh& m, const MaterialTable& materials, const HexMetho
         const Real volume = m.volume(e);
         const HexVectors B = load_gradient(m.gradient, e);
         const Tensor3 L = load_tensor(m.points.velocity_gradient, e);
-        const HexInertia scaled{set.mass_factor * m.points.mass(e) / volume,
+        const HexInertia scaled{set.mass_factor * m.points.density(e),
                                 longitudinal_wave_speed(mat) / Kokkos::sqrt(set.mass_factor)};
 
         const Real rate = L.xx + L.yy + L.zz;
