@@ -9,8 +9,8 @@ ImagePlanes periodic(int axis, Real length) {
           {Real(-1) * n, -length, {identity3(), (-length) * n}, true, true}};
 }
 
-// Constant stress in a slice, periodic along z: planes of constant x and y far from the surface feel no force,
-// and no particle feels one along z.
+// Constant stress in a slice, periodic along z: planes of constant x and y far from the surface feel no
+// force, and no particle feels one along z.
 TEST(MakeImages, PeriodicSliceUnderConstantStressFeelsNoForceAlongItsAxis) {
   const Real s = Real(1e-3);
   ParticleBlock b = particle_block(7, 7, 4, s);
@@ -56,7 +56,8 @@ TEST(MakeImages, MirrorContinuesAnOddField) {
         return i;
     return -1;
   };
-  EXPECT_NEAR(L(at(Real(0.5) * s), 8), L(at(Real(3.5) * s), 8), 1e-4); // the surface sees what the middle sees
+  EXPECT_NEAR(L(at(Real(0.5) * s), 8), L(at(Real(3.5) * s), 8),
+              1e-4); // the surface sees what the middle sees
 }
 
 // The images of a disordered periodic block carry the momentum balance.

@@ -19,7 +19,8 @@ TEST(SmoothingKernel, IsNormalised) {
 TEST(SmoothingKernel, SlopeIsTheDerivative) {
   for (double q = 0.05; q < 2; q += 0.1) {
     const double d = 1e-3;
-    const double difference = (double(kernel_shape(Real(q + d))) - double(kernel_shape(Real(q - d)))) / (2 * d);
+    const double difference =
+        (double(kernel_shape(Real(q + d))) - double(kernel_shape(Real(q - d)))) / (2 * d);
     EXPECT_NEAR(q * double(kernel_slope(Real(q))), difference, sizeof(Real) == 8 ? 1e-6 : 2e-4) << q;
   }
 }
@@ -37,7 +38,8 @@ TEST(SmoothingKernel, SumsToUnityOnALattice) {
   const double s = 1 / 1.2;
   for (int i = -3; i <= 3; ++i)
     for (int j = -3; j <= 3; ++j)
-      for (int k = -3; k <= 3; ++k) sum += s * s * s * double(kernel_shape(Real(s * std::sqrt(i * i + j * j + k * k))));
+      for (int k = -3; k <= 3; ++k)
+        sum += s * s * s * double(kernel_shape(Real(s * std::sqrt(i * i + j * j + k * k))));
   EXPECT_NEAR(sum, 1, 0.01);
 }
 

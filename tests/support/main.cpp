@@ -8,7 +8,7 @@
 // otherwise.
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
-  if (::testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();  // quick: no threads are started
+  if (::testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS(); // quick: no threads are started
 
   Kokkos::InitializationSettings settings;
   settings.set_disable_warnings(true);
