@@ -77,7 +77,7 @@ struct Motion { // a set of points that Newton's law moves: particles or nodes
 void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
 void drift(const Motion&, Real dt);
 
-// --- reductions (reductions.cpp): fixed blocks, so that the sum does not depend on the number of threads
+// --- sums and extremes: fixed blocks, so that the sum does not depend on the number of threads
 // Adds the load of this step to sums.total and the tool's work to it; no copy to the host.
 void sum_tool_load(const ContactPoints&, const Tool&, const ToolPose&, Real dt, const ToolLoadSums&);
 int count_points_inside(const ContactPoints&, const Tool&, const ToolPose&,
