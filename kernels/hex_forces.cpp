@@ -31,8 +31,10 @@ void hex_forces(const HexMesh& m, const MaterialTable& materials, const HexMetho
         const bool stiffness = set.hourglass == HourglassControl::stiffness;
         const Real coefficient = stiffness ? hourglass_stiffness(mat, set.hourglass_coefficient, volume, B)
                                            : hourglass_damping(scaled, set.hourglass_coefficient, volume);
+        const Real kept =
+            share_kept(mat, load_symmetric(m.points.stress, e), dt * m.points.plastic_strain_rate(e));
         const Hourglass h = update_hourglass(load_modes(m.hourglass, e), rates,
-                                             {stiffness, coefficient, step_motion(L, dt).rotation, dt});
+                                             {stiffness, coefficient, step_motion(L, dt).rotation, kept, dt});
         store_modes(m.hourglass, e, h.force);
         m.hourglass_work(e) += h.work;
 

@@ -70,11 +70,6 @@ void check_inertia(const Deck& deck, Findings& found) {
   }
 }
 
-double duration(const Deck& deck) {
-  if (deck.run.end_time) return *deck.run.end_time;
-  return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;
-}
-
 } // namespace
 
 int check_deck(const std::string& file) {
@@ -96,8 +91,8 @@ int check_deck(const std::string& file) {
              sum_of(scene.particles.points.mass, scene.particles.count) +
                  sum_of(scene.hexes.mass, scene.hexes.nodes));
   found.line("time step", "{:.4g} s, limited by {}", simulation.dt(), simulation.limiter());
-  const double steps = duration(deck) / simulation.dt();
-  found.line("steps", "{:.4g} for {:.4g} s", steps, duration(deck));
+  const double steps = end_time_of(deck) / simulation.dt();
+  found.line("steps", "{:.4g} for {:.4g} s", steps, end_time_of(deck));
   const int trial = 10;
   for (int k = 0; k < trial; ++k) {
     simulation.step();

@@ -206,6 +206,11 @@ std::string read_text(const std::string& file) {
 
 } // namespace
 
+double end_time_of(const Deck& deck) {
+  if (deck.run.end_time) return *deck.run.end_time;
+  return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;
+}
+
 Deck read_deck(const std::string& file) {
   const std::string text = read_text(file);
   try {

@@ -148,6 +148,9 @@ struct Deck {
 // Throws DeckError with one line for each fault of the deck: faults of single sections first; those between
 // sections (names, ties, spindle) when there are no others.
 Deck read_deck(const std::string& file);
+
+// When the run ends, s.
+double end_time_of(const Deck& deck);
 // The deck as TOML with every default written out, in SI units. Reading it back gives the same Deck, bit by
 // bit, but for `file` and the `line` of the bodies.
 std::string resolved_deck(const Deck& deck);

@@ -52,7 +52,7 @@ const Keys<HexesDeck>& hexes_keys() {
   static const Keys<H> keys = {
       {"hourglass", &H::hourglass, D::none, Choices{"stiffness", "viscous"}, R"("stiffness")", always,
        "control of the zero-energy modes (Flanagan & Belytschko 1981)"},
-      {"hourglass_coefficient", &H::hourglass_coefficient, D::none, share, "0.05", always, "strength of it"},
+      {"hourglass_coefficient", &H::hourglass_coefficient, D::none, share, "0.1", always, "strength of it"},
       {"viscosity_linear", &H::viscosity_linear, D::none, Range{0, 10}, "0.06", always,
        "bulk viscosity, in compression"},
       {"viscosity_quadratic", &H::viscosity_quadratic, D::none, Range{0, 10}, "1.2", always,

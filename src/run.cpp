@@ -18,11 +18,6 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 void on_interrupt(int) { interrupted = 1; }
 
-double end_time_of(const Deck& deck) {
-  if (deck.run.end_time) return *deck.run.end_time;
-  return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;
-}
-
 double frame_interval_of(const Deck& deck, double end) {
   if (deck.output.frame_time) return *deck.output.frame_time;
   if (deck.output.frame_immersion) return *deck.output.frame_immersion / deck.tool->spindle_speed;

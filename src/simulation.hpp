@@ -28,7 +28,7 @@ class Simulation {
   // call. Throws SimulationFault. Steps until it wants to be called again: steps_to_check().
   void check();
   long steps_to_check() const { return next_check - steps; }
-  // Energies, mean tool force since the last sample, extremes. The only copy from the device, with check().
+  // Energies and extremes of the last check(), mean tool force since the last sample.
   HistorySample sample();
 
   double time() const { return now; }
@@ -73,6 +73,7 @@ class Simulation {
   double now = 0, step_size = 0, mass_factor = 1;
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;
+  PointSums of_particles, of_hexes; // at the last check()
   bool lists_due = false;
   double initial_energy = 0, driving_speed = 0;
   double tool_work = 0;

@@ -90,20 +90,18 @@ void Simulation::start() {
   steps = steps_at_sample = 0;
   check();
   contact_law.reference_step = Real(step_size); // the penalty stays as it is when the step changes
-  const PointSums a = sum_particles(model.particles, Real(mass_factor));
-  const PointSums b = sum_hexes(model.hexes, Real(mass_factor));
-  initial_energy = double(a.kinetic) + b.kinetic;
+  initial_energy = double(of_particles.kinetic) + of_hexes.kinetic;
 }
 
 StableStep Simulation::limit_step() {
-  const StableStep of_particles = stable_step(model.particles, lists, model.materials, Real(mass_factor));
-  StableStep of_hexes = stable_step(model.hexes, model.materials, Real(mass_factor));
+  const StableStep particle_limit = stable_step(model.particles, lists, model.materials, Real(mass_factor));
+  StableStep hex_limit = stable_step(model.hexes, model.materials, Real(mass_factor));
   const bool hexes_limit =
-      of_hexes.limiter >= 0 && (of_particles.limiter < 0 || of_hexes.dt < of_particles.dt);
+      hex_limit.limiter >= 0 && (particle_limit.limiter < 0 || hex_limit.dt < particle_limit.dt);
   step_limiter = fmt::format("{} {}", hexes_limit ? "hex" : "particle",
-                             hexes_limit ? of_hexes.limiter : of_particles.limiter);
-  of_hexes.max_displacement = of_particles.max_displacement;
-  return hexes_limit ? of_hexes : of_particles;
+                             hexes_limit ? hex_limit.limiter : particle_limit.limiter);
+  hex_limit.max_displacement = particle_limit.max_displacement;
+  return hexes_limit ? hex_limit : particle_limit;
 }
 
 void Simulation::check() {
@@ -113,8 +111,9 @@ void Simulation::check() {
   step_size = deck.run.courant * double(limit.dt);
   const double room = 0.5 * double(lists.skin) - double(limit.max_displacement);
   if (model.particles.count > 0 && room < 0) fail(Fault::skin_exceeded, "");
-  const double speed = double(std::max(sum_particles(model.particles, Real(mass_factor)).max_speed,
-                                       sum_hexes(model.hexes, Real(mass_factor)).max_speed));
+  of_particles = sum_particles(model.particles, Real(mass_factor));
+  of_hexes = sum_hexes(model.hexes, Real(mass_factor));
+  const double speed = double(std::max(of_particles.max_speed, of_hexes.max_speed));
   // Twice the present speed, or the tool's, is allowed for until the next look.
   const double reach = 2 * std::max(speed, driving_speed) * step_size;
   const double whole = 0.5 * double(lists.skin);
@@ -128,8 +127,7 @@ void Simulation::check() {
 
 HistorySample Simulation::sample() {
   timer.restart();
-  const PointSums a = sum_particles(model.particles, Real(mass_factor));
-  const PointSums b = sum_hexes(model.hexes, Real(mass_factor));
+  const PointSums &a = of_particles, &b = of_hexes;
   HistorySample s;
   s.time = now, s.immersion = immersion_deg(), s.step = double(steps), s.dt = step_size;
   s.kinetic = double(a.kinetic) + b.kinetic;
@@ -168,9 +166,10 @@ int Simulation::leaked_particles() const {
 }
 
 void Simulation::check_status() {
-  const auto of_particles = value_of(status), of_hexes = value_of(hex_status);
-  if (of_particles != no_fault) fail(Fault(of_particles >> 32), place_of_particle(unsigned(of_particles)));
-  if (of_hexes != no_fault) fail(Fault(of_hexes >> 32), place_of_hex(unsigned(of_hexes)));
+  const auto particle_fault = value_of(status), hex_fault = value_of(hex_status);
+  if (particle_fault != no_fault)
+    fail(Fault(particle_fault >> 32), place_of_particle(unsigned(particle_fault)));
+  if (hex_fault != no_fault) fail(Fault(hex_fault >> 32), place_of_hex(unsigned(hex_fault)));
 }
 
 std::string Simulation::place_of_particle(unsigned row) const {

@@ -138,6 +138,27 @@ TEST(HexForces, HourglassControlSeesHourglassModesOnly) {
   }
 }
 
+// An hourglass stress that is small beside the yield stress, in a hex that flows at a steady rate, comes to
+// that of a fluid with the viscosity sigma_y / (3 rate): the elastic generalised force of one relaxation time
+// sigma_y / (3 G rate). (J2 flow: the deviator at right angles to the mean one relaxes at 3 G rate /
+// sigma_y.)
+TEST(HexForces, HourglassStressRelaxesInPlasticFlow) {
+  Material mat = test::elastic_solid(2, 1, 1);
+  mat.law = FlowLaw::linear_hardening, mat.yield_stress = Real(1e-3);
+  const double rate = 1, dt = 1e-6, q = 1e-3, stiffness = 0.7, relaxation_time = 1e-3 / 3;
+  const Symmetric3 yielding{0, 0, 0, Real(1e-3 / std::sqrt(3.0)), 0, 0};
+  HourglassStep step{true, Real(stiffness), identity3(), share_kept(mat, yielding, Real(rate * dt)),
+                     Real(dt)};
+  HexModes rates{}, force{};
+  rates.mode[2] = {0, Real(q), 0};
+  for (int k = 0; k < 20 * relaxation_time / dt; ++k) force = update_hourglass(force, rates, step).force;
+  EXPECT_NEAR(force.mode[2].y / (stiffness * q * relaxation_time), 1, is_double ? 1e-8 : 1e-3);
+  step.kept = share_kept(mat, yielding, 0);
+  const HexModes before = force;
+  force = update_hourglass(before, HexModes{}, step).force;
+  EXPECT_EQ(force.mode[2].y, before.mode[2].y); // elastic: kept
+}
+
 // A copy that later launches do not change.
 std::vector<Real> rows_of(const VectorField& field) {
   const auto host = host_copy(field);

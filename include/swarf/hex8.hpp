@@ -153,6 +153,7 @@ struct HourglassStep {
   bool stiffness;   // else viscous
   Real coefficient; // stiffness or damping
   Tensor3 rotation; // of the material in this step
+  Real kept;        // share of a trial stress that the plastic return of the hex left
   Real dt;
 };
 struct Hourglass {
@@ -160,13 +161,24 @@ struct Hourglass {
   Real work;      // of this step, J
 };
 
-// Generalised forces at the end of the step. Stiffness control: Q turns with the material, then grows by k q
-// dt. Work: mean of the forces before and after, times q dt, as central differences do it.
+// Share of the trial deviator that the radial return left, sigma_y / (sigma_y + 3 G d eps).
+SWARF_FN Real share_kept(const Material& mat, const Symmetric3& stress, Real plastic_increment) {
+  if (!(plastic_increment > Real(0))) return 1;
+  const Real flow = von_mises(stress);
+  return flow / (flow + Real(3) * mat.shear_modulus * plastic_increment);
+}
+
+// Generalised forces at the end of the step. Stiffness control: Q turns with the material, grows by k q dt,
+// and returns with the deviator: to first order in what the hourglass adds to the mean stress, J2 flow takes
+// the same share of every deviator at right angles to the mean one, so that a flowing hex resists as a fluid
+// of viscosity sigma_y / (3 rate), not as the elastic solid. Work: mean of the forces before and after, times
+// q dt, as central differences do it.
 SWARF_FN Hourglass update_hourglass(const HexModes& before, const HexModes& rate, const HourglassStep& step) {
   Hourglass h{{}, 0};
   for (int m = 0; m < 4; ++m) {
     const Vector3 old = multiply(step.rotation, before.mode[m]), &q = rate.mode[m];
-    h.force.mode[m] = step.stiffness ? old + (step.coefficient * step.dt) * q : step.coefficient * q;
+    h.force.mode[m] =
+        step.stiffness ? step.kept * (old + (step.coefficient * step.dt) * q) : step.coefficient * q;
     h.work += Real(0.5) * step.dt * dot(old + h.force.mode[m], q);
   }
   return h;
