@@ -1,0 +1,185 @@
+"""Runs the verification programs, one test at a time, and writes docs/verification.md with its plots.
+
+A test writes its rows and curves into the folder named by SWARF_VERIFICATION (tests/verification/case.hpp). They are
+kept in BUILD/verification/results, so that the page can be made again after a part of the cases was run.
+"""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+LIMIT = float(os.environ.get("SWARF_VERIFY_LIMIT", 7200))  # seconds for one test
+
+
+def tests_of(program):
+    listing = subprocess.run([program, "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout
+    suite = ""
+    for line in listing.splitlines():
+        if line.startswith("  "):
+            yield suite + line.split()[0]
+        elif line.endswith("."):
+            suite = line
+
+
+def commit():
+    def git(*arguments):
+        return subprocess.run(["git", *arguments], capture_output=True, text=True).stdout.strip()
+    changed = git("status", "--porcelain", "--", "include", "kernels", "src", "tests")
+    return (git("rev-parse", "--short", "HEAD") or "not from git") + (" with changes" if changed else "")
+
+
+def run_test(program, test, folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    print(f"{program.name} {test}", flush=True)
+    begin = time.monotonic()
+    with open(folder / "log", "w") as log:
+        try:
+            status = subprocess.run([program, f"--gtest_filter={test}"], stdout=log, stderr=subprocess.STDOUT,
+                                    env=dict(os.environ, SWARF_VERIFICATION=str(folder)), timeout=LIMIT).returncode
+        except subprocess.TimeoutExpired:
+            status = f"stopped after {LIMIT:g} s"
+    result = {"status": status, "seconds": time.monotonic() - begin, "commit": commit(),
+              "threads": os.environ.get("OMP_NUM_THREADS", "2")}
+    (folder / "test.json").write_text(json.dumps(result))
+    print(f"  {'ok' if status == 0 else 'FAILED'} after {result['seconds']:.1f} s", flush=True)
+
+
+def read_lines(file):
+    return [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+
+
+def passes(row):
+    return row["error"] is not None and row["error"] <= row["allowed"]
+
+
+def results_of(program, test, folder):
+    """The rows of one test; a test that ended badly without a failing row gets one that says so."""
+    if not (folder / "test.json").exists():
+        return [], [], None
+    result = json.loads((folder / "test.json").read_text())
+    rows = read_lines(folder / "rows.jsonl")
+    if result["status"] != 0 and all(passes(r) != bool(r["known_fault"]) for r in rows):
+        text = re.findall(r"(?:C\+\+ exception with description \"|Failure\n)(.*)", (folder / "log").read_text())
+        rows.append({"name": rows[-1]["name"] if rows else program.name, "what": f"{test} ends without a fault",
+                     "parameters": "", "reference": 0, "unit": "", "source": "", "ours": None, "error": None,
+                     "allowed": 0, "absolute": True, "known_fault": text[0] if text else f"exit status {result['status']}"})
+    for row in rows:
+        row["seconds"] = None
+    if rows:
+        rows[0]["seconds"] = result["seconds"]
+    return rows, read_lines(folder / "curves.jsonl"), result
+
+
+def number(value, digits):
+    return "-" if value is None else f"{value:.{digits}g}"
+
+
+def error_text(row, key):
+    value = row[key]
+    if value is None:
+        return "-"
+    return number(value, 2) if row["absolute"] else f"{100 * value:.2g} %"
+
+
+def cell(text):
+    return text.replace("|", "\\|")
+
+
+def plot(curve, file):
+    figure, axes = plt.subplots(figsize=(6.4, 4.2), constrained_layout=True)
+    markers = iter("osD^vP*X" * 4)
+    for s in curve["series"]:
+        style = {"color": "black"} if s["reference"] else {}
+        if s["points"]:
+            style.update(linestyle="none", marker=next(markers), markersize=5, fillstyle="none")
+        elif curve["log_log"]:
+            style.update(marker=next(markers), markersize=5)
+        if s["reference"] and not s["points"]:
+            style.update(linewidth=1.0, linestyle="--")
+        pairs = [(x, y) for x, y in zip(s["x"], s["y"]) if x is not None and y is not None]
+        axes.plot([x for x, _ in pairs], [y for _, y in pairs], label=s["label"],
+                  zorder=3 if s["reference"] else 2, **style)
+    if curve["log_log"]:
+        axes.set_xscale("log"), axes.set_yscale("log")
+    axes.set_xlabel(curve["x_label"]), axes.set_ylabel(curve["y_label"])
+    axes.set_title(curve["title"], fontsize=10)
+    axes.grid(alpha=0.3), axes.legend(fontsize=8)
+    figure.savefig(file, dpi=110, metadata={"Software": None})
+    plt.close(figure)
+
+
+def processor():
+    lines = Path("/proc/cpuinfo").read_text().splitlines() if Path("/proc/cpuinfo").exists() else []
+    return next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), "unknown processor")
+
+
+def write_page(rows, curves, results, page):
+    sources = list(dict.fromkeys(r["source"] for r in rows if r["source"]))
+    bad = [r for r in rows if not passes(r)]
+    commits, threads = ({r[key] for r in results} for key in ("commit", "threads"))
+    lines = ["# Verification", "",
+             "Made by `scripts/verify`; no number here is typed by hand. Every row is an assertion of a test in "
+             "tests/verification; allowed errors come from the reference and were set before the run.", "",
+             f"{len(rows) - len(bad)} of {len(rows)} rows pass. Commit {', '.join(sorted(commits))}; "
+             f"{', '.join(sorted(threads))} thread(s) of {processor()}.", "",
+             "| case | tests | parameters | reference | source | ours | error | allowed | pass | run time |",
+             "|---|---|---|---|---|---|---|---|---|---|"]
+    for r in rows:
+        source = f"[{sources.index(r['source']) + 1}](#sources)" if r["source"] else ""
+        unit = f" {r['unit']}" if r["unit"] else ""
+        lines.append("| " + " | ".join([
+            cell(r["name"]), cell(r["what"]), cell(r["parameters"]), number(r["reference"], 6) + unit, source,
+            number(r["ours"], 6) + unit, error_text(r, "error"), error_text(r, "allowed"),
+            "yes" if passes(r) else "**FAIL**", "" if r["seconds"] is None else f"{r['seconds']:.1f} s"]) + " |")
+    lines += ["", "The run time of a test stands in its first row.", ""]
+    if bad:
+        lines += ["## Rows that fail", ""]
+        lines += [f"- {r['name']}, {r['what']} ({r['parameters']}): {r['known_fault'] or 'cause not known'}" for r in bad]
+        lines += [""]
+    if curves:
+        lines += ["## Curves", ""]
+        lines += [f"![{c['title']}](verification/{c['file']}.png)" for c in curves]
+        lines += [""]
+    lines += ["## Sources", ""] + [f"{k + 1}. {s}" for k, s in enumerate(sources)]
+    page.write_text("\n".join(lines) + "\n")
+    return bad
+
+
+def main():
+    build, wanted = Path(sys.argv[1]), sys.argv[2:]
+    folder = (build / "verification").resolve()
+    programs = sorted(p for p in folder.glob("verify_*") if p.is_file())
+    rows, curves, results = [], [], []
+    for program in programs:
+        for test in tests_of(program):
+            place = folder / "results" / program.name / test
+            if not wanted or program.name in wanted:
+                run_test(program, test, place)
+            new_rows, new_curves, result = results_of(program, test, place)
+            rows += new_rows
+            curves += new_curves
+            results += [result] if result else []
+    rows.sort(key=lambda r: int((re.match(r"\d+", r["name"]) or ["999"])[0]))  # stable: keeps the order of a test
+    pictures = Path("docs/verification")
+    shutil.rmtree(pictures, ignore_errors=True)
+    pictures.mkdir(parents=True)
+    for curve in curves:
+        plot(curve, pictures / f"{curve['file']}.png")
+    bad = write_page(rows, curves, results, Path("docs/verification.md"))
+    for r in bad:
+        print(f"FAIL {r['name']}: {r['what']} ({r['parameters']})")
+    print(f"{len(rows) - len(bad)} of {len(rows)} rows pass: docs/verification.md")
+    return any(result["status"] != 0 for result in results)
+
+
+sys.exit(main())
