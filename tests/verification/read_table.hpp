@@ -1,5 +1,5 @@
-// Tables of reference values, tests/verification/data/*.csv: a first line with '#' that says the source, a line
-// of names, numbers.
+// Tables of reference values, tests/verification/data/*.csv: a first line with '#' that says the source, a
+// line of names, numbers.
 #pragma once
 #include <fstream>
 #include <sstream>
