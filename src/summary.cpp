@@ -24,11 +24,21 @@ double largest(const std::vector<double>& values) {
 
 double last(const std::vector<double>& values) { return values.empty() ? 0 : values.back(); }
 
-double memory_bytes() {
+rusage usage_so_far() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * double(usage.ru_maxrss);
+  return usage;
 }
+
+double seconds_of(const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); }
+
+// Of all threads, with the start: unlike the wall clock it does not count the waiting for other programs.
+double cpu_seconds() {
+  const rusage usage = usage_so_far();
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+double memory_bytes() { return 1024.0 * double(usage_so_far().ru_maxrss); }
 
 // Length along z and largest radius about z of each body: what a Taylor bar is measured by.
 Json shapes_of(const Deck& deck, const Scene& scene) {
@@ -101,7 +111,8 @@ void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulati
                    const std::string& ended, double seconds, int leaked) {
   const Scene& scene = s.scene();
   Json cost;
-  cost.set("wall_seconds", seconds).set("threads", ExecSpace().concurrency());
+  cost.set("wall_seconds", seconds).set("cpu_seconds", cpu_seconds());
+  cost.set("threads", ExecSpace().concurrency()).set("steps", s.steps_this_run());
   cost.set("particle_steps_per_second", double(scene.particles.count) * double(s.steps_this_run()) / seconds);
   cost.set("peak_memory_bytes", memory_bytes());
   for (const auto& [phase, time] : s.timer.totals()) cost.set("seconds: " + phase, time);
