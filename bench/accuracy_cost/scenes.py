@@ -1,0 +1,174 @@
+"""The two scenes of the sweep: a shorter form of each committed deck, how to refine it, and what is measured in it."""
+import math
+
+import decks
+
+
+class Orthogonal:
+    name, deck_file = "orthogonal", "inputs/orthogonal_cutting.toml"
+    title = "orthogonal cutting"
+    spacing, spacings, fine_spacings = 5.0, (10.0, 20 / 3, 5.0, 4.0, 10 / 3, 2.5), (2.0,)  # um; whole cells in 80 um
+    trend = False
+    cut_time = 0.2e-3   # 95 um of cut. Later the force wanders: repeats then differ by 4 %, here by 1 %
+    averaged = 0.5      # of the cut, at its end
+    ahead = 225e-6      # of work in front of the tool at the end; 105 um change the force by 12 % at dx = 10 um
+
+    def base(self, deck):
+        self.set_cut(deck, self.cut_time)
+
+    def set_cut(self, deck, time):
+        deck["run"]["end_time"] = f"{time * 1e3:.6g} ms"
+        cut = decks.si(deck["tool"]["position"][0]) + decks.si(deck["tool"]["velocity"][0]) * time
+        self.set_length(deck, 40e-6 * round((cut + decks.si(deck["tool"]["edge_radius"]) + self.ahead) / 40e-6))
+
+    def set_length(self, deck, length):
+        for one in deck["body"]:
+            one["size"][0] = decks.length(length)
+        self.prepare_output(deck)
+
+    def prepare_output(self, deck):
+        deck["output"] = {"force_scale": 1e-3 / self.width(deck), "history_steps": 10,
+                          "frame_time": f"{self.averaged / 5 * decks.end_time(deck) * 1e6:.6g} us"}
+
+    def set_spacing(self, deck, spacing):
+        decks.body(deck, "cut zone")["spacing"] = f"{spacing:.9g} um"
+        decks.body(deck, "bulk")["spacing"] = f"{2 * spacing:.9g} um"
+        self.set_slice(deck, 4)
+
+    def set_slice(self, deck, count):
+        width = count * decks.si(deck["body"][0]["spacing"])
+        for one in deck["body"]:
+            one["size"][2] = decks.length(width)
+        deck["tool"]["width"] = decks.length(3 * width)
+        deck["tool"]["position"][2] = decks.length(width / 2)
+        self.prepare_output(deck)
+
+    def set_band(self, deck, below):
+        """Depth of the particles below the finished surface; hexes fill what was there before."""
+        cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
+        bottom, chip = decks.si(bulk["origin"][1]), self.uncut(deck, 0)
+        cut_zone["origin"][1], cut_zone["size"][1] = decks.length(-below), decks.length(below + chip)
+        bulk["size"][1] = decks.length(-below - bottom)
+
+    def fill_all(self, deck, fill):
+        cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
+        top = decks.si(cut_zone["origin"][1]) + decks.si(cut_zone["size"][1])
+        bulk.update(name="work", fill=fill, spacing=cut_zone["spacing"])
+        bulk["size"][1] = decks.length(top - decks.si(bulk["origin"][1]))
+        deck["body"] = [bulk]
+
+    def only_cut_zone(self, deck):
+        cut_zone = decks.body(deck, "cut zone")
+        del cut_zone["tie"]
+        cut_zone["faces"]["y_min"] = "fixed"
+        deck["body"] = [cut_zone]
+
+    def uncut(self, deck, time):
+        one = deck["body"][0]
+        return decks.si(one["origin"][1]) + decks.si(one["size"][1]) - decks.si(deck["tool"]["position"][1])
+
+    def width(self, deck):
+        return decks.si(deck["body"][0]["size"][2])
+
+    def window(self, deck, end):
+        return (1 - self.averaged) * end, end
+
+
+class Milling:
+    name, deck_file = "milling", "inputs/micro_milling_quick.toml"
+    title = "milling slice"
+    spacing, spacings, fine_spacings = 2.5, (4.0, 3.25, 2.5, 2.0, 1.6), (1.25,)  # um
+    trend = True            # the chip grows with the immersion
+    sector_start = 2.0        # deg, instead of -12: the run ends sooner
+    immersion = (76.0, 81.0)  # deg: the averages are from here to here, also of runs that end later
+    entry = 72.0              # deg: where the tooth meets the sector of the committed deck
+
+    def base(self, deck):
+        self.set_sector(deck, self.sector_start)
+        deck["run"]["end_immersion"] = f"{self.immersion[1]} deg"
+        self.prepare_output(deck)
+
+    def set_sector(self, deck, begin):
+        for one in deck["body"]:
+            start, end = (decks.si(one[key]) for key in ("start_angle", "end_angle"))
+            share = (end - math.radians(begin)) / (end - start)
+            one["cells"][0] = round(one["cells"][0] * share)
+            one["start_angle"] = f"{begin} deg"
+
+    def prepare_output(self, deck):
+        deck["output"] = {"force_scale": 100e-6 / self.width(deck), "history_steps": 10, "frame_immersion": "1 deg"}
+
+    def set_entry(self, deck, immersion):
+        """A later entry: less cut before the window of the average."""
+        for one in deck["body"]:
+            start, end = (decks.si(one[key]) for key in ("start_angle", "end_angle"))
+            later = end - math.radians(immersion - self.entry)
+            one["cells"][0] = round(one["cells"][0] * (later - start) / (end - start))
+            one["end_angle"] = f"{math.degrees(later):.6g} deg"
+        angle = math.degrees(decks.si(deck["tool"]["start_angle"])) + immersion - self.entry
+        deck["tool"]["start_angle"] = f"{angle:.6g} deg"
+
+    def set_spacing(self, deck, spacing):
+        cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
+        finer = self.spacing / spacing
+        around = round(bulk["cells"][0] * finer)
+        bulk["cells"] = [around, 2, round(bulk["cells"][2] * finer)]
+        cut_zone["cells"] = [2 * around, 4, round(cut_zone["cells"][2] * finer)]
+        self._set_height(deck, 4 * spacing * 1e-6)
+
+    def _set_height(self, deck, height):
+        for one in deck["body"]:
+            one["height"] = decks.length(height)
+        deck["tool"]["length"] = decks.length(3 * height)
+        deck["tool"]["position"][2] = decks.length(-height)
+        self.prepare_output(deck)
+
+    def set_slice(self, deck, count):
+        cell = self.width(deck) / decks.body(deck, "cut zone")["cells"][1]
+        decks.body(deck, "cut zone")["cells"][1] = count
+        decks.body(deck, "bulk")["cells"][1] = count // 2
+        self._set_height(deck, count * cell)
+
+    def set_band(self, deck, rows):
+        """Rows of particles along the radius, more or fewer; hexes fill what was there before."""
+        cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
+        inner, border = decks.si(cut_zone["inner_radius"]), decks.si(cut_zone["outer_radius"])
+        cell = (border - inner + decks.si(deck["tool"]["feed_per_tooth"])) / cut_zone["cells"][2]
+        moved = border + rows * cell
+        share = (decks.si(bulk["outer_radius"]) - moved) / (decks.si(bulk["outer_radius"]) - border)
+        cut_zone["cells"][2] += rows
+        cut_zone["outer_radius"] = bulk["inner_radius"] = decks.length(moved)
+        bulk["cells"][2] = round(bulk["cells"][2] * share)
+
+    def fill_all(self, deck, fill):
+        cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
+        inner, border, outer = (decks.si(one) for one in
+                                (cut_zone["inner_radius"], cut_zone["outer_radius"], bulk["outer_radius"]))
+        feed = decks.si(deck["tool"]["feed_per_tooth"])
+        rows = round(cut_zone["cells"][2] * (outer - inner + feed) / (border - inner + feed))
+        cut_zone.update(name="work", fill=fill, outer_radius=bulk["outer_radius"], faces=bulk["faces"])
+        cut_zone["cells"][2] = rows
+        del cut_zone["tie"]
+        deck["body"] = [cut_zone]
+
+    def only_cut_zone(self, deck):
+        cut_zone = decks.body(deck, "cut zone")
+        del cut_zone["tie"]
+        cut_zone["faces"]["outer"] = "fixed"
+        deck["body"] = [cut_zone]
+
+    def uncut(self, deck, time):
+        tool = deck["tool"]
+        return decks.si(tool["feed_per_tooth"]) * math.sin(
+            decks.si(tool["start_angle"]) + decks.si(tool["spindle_speed"]) * time)
+
+    def width(self, deck):
+        return decks.si(deck["body"][0]["height"])
+
+    def window(self, deck, end):
+        tool = deck["tool"]
+        return tuple((math.radians(one) - decks.si(tool["start_angle"])) / decks.si(tool["spindle_speed"])
+                     for one in self.immersion)
+
+
+SCENES = {scene.name: scene for scene in (Orthogonal(), Milling())}
