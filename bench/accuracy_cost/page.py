@@ -1,0 +1,140 @@
+"""docs/accuracy_cost.md: the pictures, what to take from them and the table, all from the results."""
+import draw
+import points
+from reference import QUANTITIES
+from scenes import SCENES
+
+HEAD = """# Accuracy against cost
+
+Made by `bench/accuracy_cost/run`; every number is from `bench/accuracy_cost/results.csv`. Cost is the processor time
+of the whole program on one thread, so it does not count waiting for other programs. One setting is changed at a time
+from the committed decks, in a shorter form of them (`bench/accuracy_cost/scenes.py`); "together" has the best setting
+of each at once.
+
+- Cutting force: component against the motion of the edge, feed force: away from the finished surface.
+  {windows}
+  Their scatter, drawn twice, is the standard error of six block means, or what repeats with a step a little
+  shorter differ by, whichever is more.
+- Chip thickness: volume of the chip per width and length along the rake face, over half an uncut thickness h
+  of that face, from where it is 1.1 h above the finished surface. Chip temperature: mean there.
+- Reference: the limit of spacing 0 with the observed order (Richardson), from the points that differ in spacing only.
+  Its uncertainty is twice the standard deviation of that limit when the points scatter by their own error or by what
+  the fit leaves, whichever is more. It says nothing about settings that all points share.
+- Errors carry their sign: two that cancel are luck, not accuracy.
+"""
+
+
+def _percent(value):
+    return "-" if value is None else f"{100 * value:+.1f} %"
+
+
+def _number(value, digits=3):
+    return "-" if value is None else f"{value:.{digits}g}"
+
+
+def reference_lines(found):
+    for quantity, reference in found.items():
+        order = (f"observed order {reference.order:.2g}" if reference.order
+                 else "no order observed: mean of the finest three")
+        scale, unit = {"cutting_force": (1, "N"), "feed_force": (1, "N"), "chip_thickness": (1e6, "um")}.get(
+            quantity, (1, "K"))
+        yield (f"- {QUANTITIES[quantity]}: {scale * reference.value:.4g} +- {scale * reference.uncertainty:.2g} {unit} "
+               f"({100 * reference.relative:.1f} %), {order}")
+
+
+def qualifies(row, rows, found, limit):
+    """Error within the limit; in the series of spacings every finer one must be so too, or it is chance."""
+    def within(one):
+        return abs(draw.error_of(one, "cutting_force", found)) <= limit
+    if row["group"] != "spacing":
+        return within(row)
+    return all(within(one) for one in rows if one["group"] == "spacing" and one["spacing"] <= row["spacing"])
+
+
+def advice(rows, found):
+    shipped = next((row for row in rows if row["group"] == "committed deck"), None)
+    known = found["cutting_force"].relative
+    parts = []
+    for limit in (0.05, 0.02, 0.01):
+        if known > limit:
+            parts.append(f"For {100 * limit:.0f} %: cannot be said, the reference itself is known to "
+                         f"{100 * known:.1f} %.")
+            break
+        good = [row for row in rows if qualifies(row, rows, found, limit)]
+        if not good:
+            parts.append(f"For {100 * limit:.0f} %: none of these points.")
+            continue
+        row = min(good, key=lambda one: one["core_seconds"])
+        compared = f", {row['core_seconds'] / shipped['core_seconds']:.2g} of the shipped deck" if shipped else ""
+        keys = f" ({row['changes']})" if row["changes"] else ""
+        parts.append(f"For {100 * limit:.0f} % of the cutting force use \"{row['label']}\"{keys}: "
+                     f"{row['core_seconds']:.0f} core-seconds{compared}.")
+    return " ".join(parts)
+
+
+def table(rows, found):
+    names = [quantity for quantity in QUANTITIES if quantity in found]
+    yield ("| swept | point | core-s | M particle-steps | " + " | ".join(f"{QUANTITIES[name]}" for name in names)
+           + " | F_c, N | F_f, N | h_c / h | energy residual | keys changed |")
+    yield "|" + "---|" * (9 + len(names))
+    for row in sorted(rows, key=lambda one: (one["group"], one["core_seconds"] or 0)):
+        errors = " | ".join(_percent(draw.error_of(row, name, found)) for name in names)
+        ratio = row["chip_thickness"] / row["uncut_thickness"] if row.get("chip_thickness") else None
+        forces = " | ".join(f"{row[name]:.4g} +- {row[name + '_error']:.2g}" if row.get(name) is not None else "-"
+                            for name in ("cutting_force", "feed_force"))
+        said = row["changes"] or "-"
+        if row["status"] != "complete":
+            said = f"**{row['status'].replace('|', '/')}** {row['changes']}"
+        steps = row["particle_steps"] / 1e6 if row.get("particle_steps") is not None else None
+        yield (f"| {row['group']} | {draw.label_of(row)} | {_number(row['core_seconds'])} | {_number(steps)} | "
+               f"{errors} | {forces} | {_number(ratio)} | {_percent(row.get('energy_residual'))} | {said} |")
+
+
+SHARED = ("mass 1e2", "mass 1e3", "courant 0.3", "viscosity 0", "slice 6 dx", "slice 12 dx", "work 400 um",
+          "sector from -4 deg", "cut 195 um", "band 80 um", "band +6 rows")
+
+
+def shared_settings(scene, rows):
+    """What settings closer to their limit do to the base: the reference, which shares the base's, does not say."""
+    base = next((row for row in rows if row["group"] == "spacing" and row["spacing"] == scene.spacing), None)
+    if not base:
+        return None
+    changes = []
+    for row in rows:
+        if row["label"] in SHARED:
+            scatter = (row["cutting_force_error"]**2 + base["cutting_force_error"]**2)**0.5 / base["cutting_force"]
+            changes.append(f"{row['label']} {_percent(row['cutting_force'] / base['cutting_force'] - 1)} "
+                           f"(+- {200 * scatter:.1f})")
+    return ("All points share what the reference therefore does not see. Cutting force against the base, with settings "
+            f"closer to their limit: {', '.join(changes)}.") if changes else None
+
+
+def section(name, tried, rows, found):
+    scene = SCENES[name]
+    planned = {point.label for point in points.points_of(scene) if not point.full}
+    missing = planned - tried
+    complete = [row for row in rows if row.get("cutting_force") is not None]
+    failed = [row for row in rows if row["status"] != "complete"]
+    yield f"\n## {scene.title.capitalize()}\n"
+    yield f"![Error of the cutting force against core-seconds](accuracy_cost_{name}.png)\n"
+    if missing:
+        yield f"Not finished: {len(missing)} of {len(planned)} points have not run, so nothing is concluded here.\n"
+    else:
+        yield advice(complete, found) + "\n"
+    if failed:
+        yield f"{len(failed)} of {len(rows)} points did not end: " + ", ".join(row["label"] for row in failed) + ".\n"
+    yield "Reference (errors in the table are relative to it):\n"
+    yield "\n".join(reference_lines(found)) + "\n"
+    if shared := shared_settings(scene, complete):
+        yield shared + "\n"
+    yield "\n".join(table(rows, found))
+
+
+def text(drawn):
+    orthogonal, milling = SCENES["orthogonal"], SCENES["milling"]
+    windows = (f"Means over the last {100 * orthogonal.averaged:.0f} % of the orthogonal cut, and over immersion "
+               f"{milling.immersion[0]:.0f} to {milling.immersion[1]:.0f} deg of the mill.")
+    lines = [HEAD.format(windows=windows)]
+    for name, (tried, rows, found) in drawn.items():
+        lines += section(name, tried, rows, found)
+    return "\n".join(lines) + "\n"
