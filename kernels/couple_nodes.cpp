@@ -27,4 +27,17 @@ void couple_nodes(const HexMesh& m, const TransformTable& transforms, bool force
         });
 }
 
+// The same for the scalar: both nodes of a pair get the mean of their heats.
+void couple_heat(const HexMesh& m, const TransformTable& transforms) {
+  const int rows = int(m.coupled_nodes.extent(0));
+  for (int pass = 0; pass < int(transforms.extent(0)) && rows > 0; ++pass)
+    Kokkos::parallel_for(
+        "couple_heat", Range(0, rows), KOKKOS_LAMBDA(const int k) {
+          const int master = m.coupled_nodes(k, 0), slave = m.coupled_nodes(k, 1);
+          if (m.coupled_nodes(k, 2) != pass) return;
+          const Real mean = Real(0.5) * (m.nodal_heat(master) + m.nodal_heat(slave));
+          m.nodal_heat(master) = m.nodal_heat(slave) = mean;
+        });
+}
+
 } // namespace swarf

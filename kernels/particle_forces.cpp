@@ -25,12 +25,6 @@ struct Cluster {
   Pack inverse_h, impedance, density;
 };
 
-KOKKOS_FORCEINLINE_FUNCTION Pack quadratic_form(const Symmetric3Of<Pack>& a, const Vector3Of<Pack>& x) {
-  const Pack two(Real(2));
-  return a.xx * x.x * x.x + a.yy * x.y * x.y + a.zz * x.z * x.z +
-         two * (a.xy * x.x * x.y + a.yz * x.y * x.z + a.zx * x.z * x.x);
-}
-
 struct PairViscosity {
   Pack shock, hourglass; // Pa
 };

@@ -1,7 +1,7 @@
 // Courant's condition at Courant number 1: h / c' for a particle, the hex's characteristic length / c' for a
 // hex, c' = c / sqrt(mass factor) the wave speed of the scaled mass. Minima are exact in any order of
 // threads.
-#include "swarf/hex8.hpp"
+#include "swarf/heat.hpp"
 #include "swarf/kernels.hpp"
 
 namespace swarf {
@@ -49,6 +49,31 @@ StableStep stable_step(const HexMesh& m, const MaterialTable& materials, Real ma
       },
       MinStep(least));
   return {least.val, least.loc, Real(0)};
+}
+
+Real stable_heat_step(const Particles& p, const MaterialTable& materials) {
+  Real least = Kokkos::Experimental::infinity_v<Real>;
+  const auto material = p.points.material;
+  Kokkos::parallel_reduce(
+      "stable_heat_step", Range(0, p.count + p.tied),
+      KOKKOS_LAMBDA(int i, Real& dt) {
+        dt = Kokkos::min(dt, conduction_step(materials(material(i)), p.smoothing_length(i)));
+      },
+      Kokkos::Min<Real>(least));
+  return least;
+}
+
+Real stable_heat_step(const HexMesh& m, const MaterialTable& materials) {
+  Real least = Kokkos::Experimental::infinity_v<Real>;
+  const auto material = m.points.material;
+  Kokkos::parallel_reduce(
+      "stable_heat_step_hexes", Range(0, m.points.count),
+      KOKKOS_LAMBDA(int e, Real& dt) {
+        if (m.active(e))
+          dt = Kokkos::min(dt, conduction_step(materials(material(e)), characteristic_length(m, e)));
+      },
+      Kokkos::Min<Real>(least));
+  return least;
 }
 
 } // namespace swarf

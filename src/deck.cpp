@@ -206,6 +206,11 @@ std::string read_text(const std::string& file) {
 
 } // namespace
 
+bool conducts_heat(const Deck& deck) {
+  return std::any_of(deck.materials.begin(), deck.materials.end(),
+                     [](const MaterialDeck& m) { return m.conductivity > 0; });
+}
+
 double end_time_of(const Deck& deck) {
   if (deck.run.end_time) return *deck.run.end_time;
   return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;

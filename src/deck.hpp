@@ -19,7 +19,7 @@ struct MaterialDeck {
   std::string name;
   std::string law; // elastic | linear_hardening | johnson_cook
   double density, youngs_modulus, poissons_ratio;
-  double specific_heat, taylor_quinney;
+  double specific_heat, conductivity, taylor_quinney;
   double yield_stress, hardening_modulus;                                        // linear_hardening
   double A, B, n, C, m, reference_rate, reference_temperature, melt_temperature; // johnson_cook
   std::optional<std::array<double, 5>> damage;                                   // D1..D5
@@ -148,6 +148,8 @@ struct Deck {
 // Throws DeckError with one line for each fault of the deck: faults of single sections first; those between
 // sections (names, ties, spindle) when there are no others.
 Deck read_deck(const std::string& file);
+
+bool conducts_heat(const Deck& deck);
 
 // When the run ends, s.
 double end_time_of(const Deck& deck);

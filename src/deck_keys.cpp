@@ -37,6 +37,8 @@ const Keys<MaterialDeck>& material_keys() {
        "heat per mass and kelvin"},
       {"specific_heat", &M::specific_heat, D::specific_heat, positive, R"("500 J/kg/K")",
        law({"elastic", "linear_hardening"}), "heat per mass and kelvin; changes no force under these laws"},
+      {"conductivity", &M::conductivity, D::conductivity, not_negative, R"("0 W/m/K")", always,
+       "of heat; 0: adiabatic"},
       {"taylor_quinney", &M::taylor_quinney, D::none, share, "0.9", law({"linear_hardening", "johnson_cook"}),
        "share of the plastic work that becomes heat"},
       {"yield_stress", &M::yield_stress, D::pressure, positive, required, law({"linear_hardening"}),

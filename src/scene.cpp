@@ -14,7 +14,8 @@ Material make_material(const MaterialDeck& deck) {
   m.density = Real(deck.density);
   m.bulk_modulus = Real(deck.youngs_modulus / (3 * (1 - 2 * deck.poissons_ratio)));
   m.shear_modulus = Real(deck.youngs_modulus / (2 * (1 + deck.poissons_ratio)));
-  m.specific_heat = Real(deck.specific_heat), m.taylor_quinney = Real(deck.taylor_quinney);
+  m.specific_heat = Real(deck.specific_heat), m.conductivity = Real(deck.conductivity);
+  m.taylor_quinney = Real(deck.taylor_quinney);
   if (deck.law == "linear_hardening") {
     m.law = FlowLaw::linear_hardening;
     m.yield_stress = Real(deck.yield_stress), m.hardening_modulus = Real(deck.hardening_modulus);

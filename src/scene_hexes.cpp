@@ -119,6 +119,15 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
   allocate("external_work", m.external_work, m.nodes), allocate("contact_energy", m.contact_energy, m.nodes);
   allocate("contact_gap", m.contact_gap, m.nodes);
 
+  if (conducts_heat(deck)) {
+    allocate("corner_heat", m.corner_heat, n), allocate("nodal_heat", m.nodal_heat, m.nodes);
+    m.nodal_temperature = upload<ScalarField>(
+        "nodal_temperature", m.nodes, [&](auto& f, int a) { f(a) = Real(nodes[a].body->deck->temperature); });
+    m.heat_capacity = upload<ScalarField>("heat_capacity", m.nodes, [&](auto& f, int a) {
+      f(a) = Real(mass[a] * deck.materials[std::size_t(nodes[a].body->material)].specific_heat);
+    });
+  }
+
   m.points.mass = upload<ScalarField>(
       "mass", n, [&](auto& f, int e) { f(e) = Real(density(hexes[e]) * hexes[e].volume); });
   m.points.density =

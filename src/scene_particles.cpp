@@ -10,6 +10,7 @@ struct Row {
   const FilledBody* body;
   Point position;
   double volume, gap;
+  double temperature; // a tied particle has that of its hex
   int material;
   bool is_tied;
 };
@@ -18,13 +19,14 @@ std::vector<Row> list_rows(const std::vector<FilledBody>& bodies, const std::vec
   std::vector<Row> rows;
   for (const FilledBody& b : bodies)
     for (std::size_t i = 0; i < b.points.position.size(); ++i)
-      rows.push_back({&b, b.points.position[i], b.points.volume[i], b.points.gap[i], b.material, false});
+      rows.push_back({&b, b.points.position[i], b.points.volume[i], b.points.gap[i], b.deck->temperature,
+                      b.material, false});
   for (const TiedPoint& p : tied) {
     const FilledBody& body = bodies[std::size_t(p.body)];
     const auto host = std::find_if(bodies.begin(), bodies.end(), [&](const FilledBody& b) {
       return !b.has_particles() && p.host >= b.first_hex && p.host < b.first_hex + int(b.hexes.hex.size());
     });
-    rows.push_back({&body, p.position, p.volume, 0, host->material, true});
+    rows.push_back({&body, p.position, p.volume, 0, host->deck->temperature, host->material, true});
   }
   return rows;
 }
@@ -50,6 +52,10 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   });
   allocate("correction", p.correction), allocate("pair_stress", p.pair_stress);
   allocate("strain_rate", p.strain_rate), allocate("artificial_stress", p.artificial_stress);
+  if (conducts_heat(deck)) {
+    allocate("conductivity", p.conductivity), allocate("shown_temperature", p.shown_temperature);
+    allocate("heat", p.heat);
+  }
 
   const auto vector = [&](auto&& value) {
     return [&rows, value](auto& f, int i) { store_vector(f, i, to_vector3(value(rows[std::size_t(i)]))); };
@@ -75,7 +81,7 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   p.points.mass = upload<ScalarField>("mass", n, scalar([&](const Row& r) { return density(r) * r.volume; }));
   p.points.density = upload<ScalarField>("density", n, scalar(density));
   p.points.temperature =
-      upload<ScalarField>("temperature", n, scalar([](const Row& r) { return r.body->deck->temperature; }));
+      upload<ScalarField>("temperature", n, scalar([](const Row& r) { return r.temperature; }));
   p.points.material = upload<IndexField>("material", n, index([](const Row& r) { return r.material; }));
   p.body = upload<IndexField>("body", n, index([](const Row& r) { return r.body->row; }));
   p.identity = upload<IndexField>("identity", n, [](auto& f, int i) { f(i) = i; });

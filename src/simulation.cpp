@@ -37,6 +37,7 @@ void Simulation::step() {
   update_rates_and_stresses();
   compute_forces();
   press_tool();
+  if (conducts) conduct();
   kick_half();
   timer.mark("integrate");
   ++steps;
@@ -111,6 +112,24 @@ void Simulation::press_tool() {
   }
   couple_nodes(model.hexes, model.node_transforms, true);
   timer.mark("contact");
+}
+
+// As rarely as its own stable step allows: many mechanical steps, or several in one under a large mass
+// factor.
+void Simulation::conduct() {
+  heat_time += step_size;
+  if (heat_time + step_size <= heat_step) return;
+  const int parts = int(std::ceil(heat_time / heat_step));
+  const Real dt = Real(heat_time / parts);
+  for (int k = 0; k < parts; ++k) {
+    conduct_heat(model.particles, lists, model.image_planes, model.materials, dt);
+    hex_heat(model.hexes, model.materials, dt);
+    gather_heat(model.tie, model.particles, model.hexes, model.materials);
+    couple_heat(model.hexes, model.node_transforms);
+    spread_temperature(model.tie, model.particles, model.hexes);
+  }
+  heat_time = 0;
+  timer.mark("heat");
 }
 
 } // namespace swarf

@@ -54,6 +54,7 @@ class Simulation {
   void update_rates_and_stresses();
   void compute_forces();
   void press_tool();
+  void conduct();
   StableStep limit_step();
   void check_status(); // throws SimulationFault
   [[noreturn]] void fail(Fault fault, const std::string& what);
@@ -70,6 +71,8 @@ class Simulation {
   Status status, hex_status; // of particles; of hexes
   ToolLoadSums loads;
 
+  bool conducts = false;
+  double heat_step = 0, heat_time = 0; // s: stable step of conduction; time since the last one
   double now = 0, step_size = 0, mass_factor = 1;
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;

@@ -69,7 +69,7 @@ unsigned long long value_of(const Status& status) {
 Simulation::Simulation(const Deck& from)
     : deck(from), model(build_scene(from)), particle_method(particle_method_of(from)),
       hex_method(hex_method_of(from)), gravity(to_vector(from.run.gravity)), status("status"),
-      hex_status("hex_status"), mass_factor(from.run.mass_factor) {
+      hex_status("hex_status"), conducts(conducts_heat(from)), mass_factor(from.run.mass_factor) {
   driving_speed = driving_speed_of(deck, model);
   contact_law.friction = Real(deck.contact.friction);
   contact_law.shear_limit = Real(deck.contact.shear_limit.value_or(0));
@@ -109,6 +109,9 @@ void Simulation::check() {
   check_status();
   const StableStep limit = limit_step();
   step_size = deck.run.courant * double(limit.dt);
+  if (conducts)
+    heat_step = double(std::min(stable_heat_step(model.particles, model.materials),
+                                stable_heat_step(model.hexes, model.materials)));
   const double room = 0.5 * double(lists.skin) - double(limit.max_displacement);
   if (model.particles.count > 0 && room < 0) fail(Fault::skin_exceeded, "");
   of_particles = sum_particles(model.particles, Real(mass_factor));
@@ -209,6 +212,7 @@ void Simulation::write_state(CheckpointWriter& out) const {
   out.put("time", now), out.put("step_size", step_size), out.put("steps", steps);
   out.put("reference_step", contact_law.reference_step), out.put("next_check", next_check),
       out.put("rebuild_count", rebuild_count);
+  out.put("heat_step", heat_step), out.put("heat_time", heat_time);
   out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
   out.put("status", value_of(status)), out.put("hex_status", value_of(hex_status));
   out.put("initial_energy", initial_energy), out.put("tool_work", tool_work);
@@ -241,6 +245,7 @@ void Simulation::read_state(const CheckpointReader& in) {
   Kokkos::deep_copy(loads.total, load);
   in.get("time", now), in.get("step_size", step_size), in.get("steps", steps);
   in.get("next_check", next_check), in.get("rebuild_count", rebuild_count);
+  in.get("heat_step", heat_step), in.get("heat_time", heat_time);
   in.get("steps_at_sample", steps_at_sample), in.get("reference_step", contact_law.reference_step);
   first_step = steps;
   int due = 0;

@@ -22,6 +22,9 @@ struct HexMesh {
 
   VectorField position, velocity, force;     // nodes
   ScalarField mass;                          // lumped, kg, not mass-scaled
+  ScalarField heat_capacity;                 // lumped, J/K
+  ScalarField nodal_temperature, nodal_heat; // K; J of the last conduction. 0 rows without conduction
+  View<Real* [8]> corner_heat;               // J, before the gather
   VectorField friction_force, contact_force; // nodes on the surface that may touch the tool
   ScalarField friction_work, external_work, contact_energy;
   ScalarField contact_gap;     // m, 0: the node lies on the surface
@@ -42,7 +45,7 @@ struct HexMesh {
     visit("position", position), visit("velocity", velocity), visit("force", force);
     visit("friction_force", friction_force), visit("contact_force", contact_force);
     visit("friction_work", friction_work), visit("external_work", external_work);
-    visit("contact_energy", contact_energy);
+    visit("contact_energy", contact_energy), visit("nodal_temperature", nodal_temperature);
   }
 };
 

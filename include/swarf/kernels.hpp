@@ -56,7 +56,8 @@ void hex_forces(const HexMesh&, const MaterialTable&, const HexMethod&, Real dt)
 void gather_corner_forces(const HexMesh&); // node force = sum of its corners
 void delete_hexes(const HexMesh&, const HexMethod&);
 void couple_nodes(const HexMesh&, const TransformTable&,
-                  bool forces); // periodic pairs: forces in, or velocities out
+                  bool forces);                          // periodic pairs: forces in, or velocities out
+void couple_heat(const HexMesh&, const TransformTable&); // periodic pairs share nodal_heat
 
 // --- both
 void update_stress(const MaterialPoints&, const MaterialTable&, Real dt, const Status&);
@@ -66,6 +67,12 @@ void tool_contact(const ContactPoints&, const Tool&, const ToolPose&, const Cont
 // --- tie
 void project_tie(const Tie&, const Particles&, const HexMesh&);       // x, v of tied particles from nodes
 void gather_tie_forces(const Tie&, const Particles&, const HexMesh&); // to the nodes of the hosts
+
+// --- heat
+void conduct_heat(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&, Real dt);
+void hex_heat(const HexMesh&, const MaterialTable&, Real dt);                         // to the corners
+void gather_heat(const Tie&, const Particles&, const HexMesh&, const MaterialTable&); // to the nodes
+void spread_temperature(const Tie&, const Particles&, const HexMesh&); // of nodes, hexes, tied particles
 
 // --- time
 struct Motion { // a set of points that Newton's law moves: particles or nodes
@@ -109,5 +116,7 @@ struct StableStep {
 };
 StableStep stable_step(const Particles&, const Neighbors&, const MaterialTable&, Real mass_factor);
 StableStep stable_step(const HexMesh&, const MaterialTable&, Real mass_factor);
+Real stable_heat_step(const Particles&, const MaterialTable&); // s; infinite without conduction
+Real stable_heat_step(const HexMesh&, const MaterialTable&);
 
 } // namespace swarf

@@ -20,6 +20,7 @@ struct Material {
   Real bulk_modulus = 0;   // Pa
   Real shear_modulus = 0;  // Pa
   Real specific_heat = 0;  // J/(kg K)
+  Real conductivity = 0;   // W/(m K)
   Real taylor_quinney = 0; // share of plastic work that becomes heat
   Real yield_stress = 0;   // Pa, linear hardening
   Real hardening_modulus = 0;

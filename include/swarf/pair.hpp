@@ -53,6 +53,13 @@ KOKKOS_FORCEINLINE_FUNCTION Tensor3 lane_of(const Tensor3Of<Pack>& t, int lane) 
           lane_of(t.zx, lane), lane_of(t.zy, lane), lane_of(t.zz, lane)};
 }
 
+// x . a x
+KOKKOS_FORCEINLINE_FUNCTION Pack quadratic_form(const Symmetric3Of<Pack>& a, const Vector3Of<Pack>& x) {
+  const Pack two(Real(2));
+  return a.xx * x.x * x.x + a.yy * x.y * x.y + a.zz * x.z * x.z +
+         two * (a.xy * x.x * x.y + a.yz * x.y * x.z + a.zx * x.z * x.x);
+}
+
 // Symmetric in i and j, so that pair forces cancel to the last bit: 1/h_ij = (1/h_i + 1/h_j) / 2.
 KOKKOS_FORCEINLINE_FUNCTION Pack mean_inverse_h(const Pack& inverse_h_i, Real h_j) {
   return Pack(Real(0.5)) * (inverse_h_i + Pack(Real(1) / h_j));
