@@ -1,9 +1,10 @@
-// m_i c_i dT_i/dt = V_i sum_j V_j 2 k_ij (T_i - T_j) (dW/dr)/r,  k_ij = 2 k_i k_j / (k_i + k_j)
+// m_i c_i dT_i/dt = V_i sum_j V_j k_ij e.(K_i + K_j) e (T_i - T_j) (dW/dr)/r,  k_ij = 2 k_i k_j / (k_i + k_j)
 // Cleary & Monaghan (1999): conservative pair by pair, monotone, and the flux is continuous where k jumps.
-// k_i = k e.K_i e with the direction e of the pair: near a free surface, where neighbours are missing, the
-// plain sum conducts too little along the surface (a plate of 3 particles: 15 %; so corrected: 5 % too much).
-// Reads temperature, correction, volume, smoothing_length, mass. Writes heat (J, rows [0, count + tied)) and
-// the temperature of rows [0, count); heat_state is its own.
+// e.K_i e, e the direction of the pair: near a free surface, where neighbours are missing, the plain sum
+// conducts too little along the surface (a plate of 3 particles: 15 %; so corrected: 5 % too much), and among
+// tied particles, whose volumes fall along the ramp, too little across it. Reads temperature, correction,
+// volume, smoothing_length, mass. Writes heat (J, rows [0, count + tied)) and the temperature of rows [0,
+// count); heat_state and heat_shape are its own.
 #include "swarf/heat.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
@@ -15,9 +16,9 @@ void prepare_heat_state(const Particles& p, const MaterialTable& materials) {
   const MaterialPoints points = p.points;
   Kokkos::parallel_for(
       "prepare_heat_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
-        const Symmetric3 K = symmetric_part(load_tensor(p.correction, i));
-        store_symmetric(p.conductivity, i, materials(points.material(i)).conductivity * K);
-        p.shown_temperature(i) = points.temperature(i);
+        store_symmetric(p.heat_shape, i, symmetric_part(load_tensor(p.correction, i)));
+        p.heat_state(i, 0) = points.temperature(i);
+        p.heat_state(i, 1) = materials(points.material(i)).conductivity;
       });
 }
 
@@ -29,8 +30,8 @@ void copy_to_images(const Particles& p, const Neighbors& n, const ImagePlanes& p
     Kokkos::parallel_for(
         "update_image_heat", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
           const int i = source(image), to = first + image;
-          store_symmetric(p.conductivity, to, rotate(R, load_symmetric(p.conductivity, i)));
-          p.shown_temperature(to) = p.shown_temperature(i);
+          store_symmetric(p.heat_shape, to, rotate(R, load_symmetric(p.heat_shape, i)));
+          p.heat_state(to, 0) = p.heat_state(i, 0), p.heat_state(to, 1) = p.heat_state(i, 1);
         });
   }
 }
@@ -40,18 +41,18 @@ KOKKOS_INLINE_FUNCTION Pack sum_heat(const Particles& p, const Neighbors& n, int
                                      const Lanes& lanes) {
   const auto x_i = lanes.load_vector(p.position);
   const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length);
-  const Pack T_i = lanes.load(p.shown_temperature);
-  const auto k_i = lanes.load_symmetric(p.conductivity);
-  const Pack none(Kokkos::Experimental::norm_min_v<Real>); // of the particle itself, r = 0, and of insulators
+  const Pack T_i = lanes.load(p.heat_state, 0), k_i = lanes.load(p.heat_state, 1);
+  const auto K_i = lanes.load_symmetric(p.heat_shape);
+  const Pack none(Kokkos::Experimental::norm_min_v<Real>); // r = 0: the particle itself; k = 0: insulators
   Pack sum(Real(0));
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
     const int j = n.neighbor(k);
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack slope = pair_slope(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
-    const Pack a = quadratic_form(k_i, x_ij),
-               b = quadratic_form(broadcast_symmetric(p.conductivity, j), x_ij);
-    const Pack k_ij = Pack(Real(4)) * a * b / ((a + b) * dot(x_ij, x_ij) + none);
-    sum += Pack(p.volume(j)) * k_ij * (T_i - Pack(p.shown_temperature(j))) * slope;
+    const Pack shape =
+        quadratic_form(K_i + broadcast_symmetric(p.heat_shape, j), x_ij) / (dot(x_ij, x_ij) + none);
+    const Pack k_j(p.heat_state(j, 1)), k_ij = Pack(Real(2)) * k_i * k_j / (k_i + k_j + none);
+    sum += Pack(p.volume(j)) * shape * k_ij * (T_i - Pack(p.heat_state(j, 0))) * slope;
   }
   return sum;
 }

@@ -36,7 +36,7 @@ void ensure_image_rows(Particles& p, int rows) {
   ensure_rows(p.smoothing_length, room), ensure_rows(p.volume, room);
   ensure_rows(p.pair_stress, room), ensure_rows(p.strain_rate, room);
   ensure_rows(p.artificial_stress, room), ensure_rows(p.impedance, room);
-  if (p.conductivity.extent(0) > 0) ensure_rows(p.conductivity, room), ensure_rows(p.shown_temperature, room);
+  if (p.heat_state.extent(0) > 0) ensure_rows(p.heat_state, room), ensure_rows(p.heat_shape, room);
 }
 
 // Static values of images, and their positions, which planes of later pairs must see.

@@ -53,7 +53,7 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   allocate("correction", p.correction), allocate("pair_stress", p.pair_stress);
   allocate("strain_rate", p.strain_rate), allocate("artificial_stress", p.artificial_stress);
   if (conducts_heat(deck)) {
-    allocate("conductivity", p.conductivity), allocate("shown_temperature", p.shown_temperature);
+    allocate("heat_state", p.heat_state), allocate("heat_shape", p.heat_shape);
     allocate("heat", p.heat);
   }
 

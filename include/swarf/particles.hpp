@@ -25,8 +25,8 @@ struct Particles {
   TensorField pair_stress;          // sigma K, Pa
   SymmetricField strain_rate;       // D, 1/s
   SymmetricField artificial_stress; // Gray-Monaghan, Pa
-  SymmetricField conductivity;      // k K, W/(m K), and
-  ScalarField shown_temperature;    // K, for conduction (conduct_heat); else 0 rows
+  View<Real* [2]> heat_state;       // T (K) and k (W/(m K)), and
+  SymmetricField heat_shape;        // K: for conduct_heat; 0 rows without conduction
   View<Real* [2]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), for the viscosity
 
   ScalarField heat; // J that conduction brought last, rows [0, count + tied); 0 rows without it
