@@ -16,6 +16,7 @@ density = "4430 kg/m3"
 youngs_modulus = "110 GPa"
 poissons_ratio = 0.33
 specific_heat = "526.3 J/kg/K"
+conductivity = "7.2 W/m/K"
 A = "862 MPa"
 B = "331 MPa"
 n = 0.34
