@@ -14,7 +14,7 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 import labels
 import page
 import results
-from reference import combine, references
+from reference import combine, references, widen
 from scenes import SCENES
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -143,6 +143,7 @@ def main():
         if "cutting_force" not in found:
             print(f"{scene.name}: not enough points yet", file=sys.stderr)
             continue
+        widen(ours, found)
         draw(scene, ours, found)
         drawn[scene.name] = ({row["label"] for row in runs}, ours, found)
     if drawn:

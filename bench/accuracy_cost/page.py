@@ -14,7 +14,7 @@ of each at once.
 - Cutting force: component against the motion of the edge, feed force: away from the finished surface.
   {windows}
   Their scatter, drawn twice, is the standard error of six block means, or what repeats with a step a little
-  shorter differ by, whichever is more.
+  shorter differ by, or what the points of the series of spacings leave about their fit, whichever is most.
 - Chip thickness: volume of the chip per width and length along the rake face, over half an uncut thickness h
   of that face, from where it is 1.1 h above the finished surface. Chip temperature: mean there.
 - Reference: the limit of spacing 0 with the observed order (Richardson), from the points that differ in spacing only.

@@ -59,66 +59,77 @@ def all_hexes(scene, strain):
     return change
 
 
-# group, label, change, only with --full
+ALWAYS, ORTHOGONAL, FULL = "always", "orthogonal", "full"  # which sweep: also the short one, in which scene
 METHOD = [
-    ("smoothing length", "h/dx 1.0", setter("particles", smoothing_ratio=1.0), False),
-    ("smoothing length", "h/dx 1.35", setter("particles", smoothing_ratio=1.35), True),
-    ("smoothing length", "h/dx 1.5", setter("particles", smoothing_ratio=1.5), False),
-    ("smoothing length", "h evolving", setter("particles", smoothing_length="evolving"), True),
-    ("density", "density by summation", setter("particles", density="summation"), True),
-    ("correction", "no correction", setter("particles", correction=False, correct_forces=False), False),
-    ("correction", "forces not corrected", setter("particles", correct_forces=False), True),
-    ("mass", "mass 1e2", setter("run", mass_factor=1e2), True),
-    ("mass", "mass 1e3", setter("run", mass_factor=1e3), False),
-    ("mass", "mass 3e4", setter("run", mass_factor=3e4), True),
-    ("mass", "mass 1e5", setter("run", mass_factor=1e5), False),
-    ("viscosity", "viscosity 0", setter("particles", viscosity_linear=0.0), False),
-    ("viscosity", "viscosity 0.5", setter("particles", viscosity_linear=0.5), True),
-    ("viscosity", "viscosity 1", setter("particles", viscosity_linear=1.0), False),
-    ("viscosity form", "viscosity of Monaghan", setter("particles", viscosity_form="monaghan"), False),
-    ("hourglass", "hourglass 0", setter("particles", hourglass_viscosity=0.0), False),
-    ("hourglass", "hourglass 0.1", setter("particles", hourglass_viscosity=0.1), True),
-    ("hourglass", "hourglass 1", setter("particles", hourglass_viscosity=1.0), False),
-    ("artificial stress", "no artificial stress", setter("particles", artificial_stress=0.0), False),
-    ("courant", "courant 0.3", setter("run", courant=0.3), False),
-    ("courant", "courant 0.7", setter("run", courant=0.7), False),
-    ("contact", "contact stiffness 0.03", setter("contact", stiffness=0.03), True),
+    ("smoothing length", "h/dx 1.0", setter("particles", smoothing_ratio=1.0), ALWAYS),
+    ("smoothing length", "h/dx 1.35", setter("particles", smoothing_ratio=1.35), FULL),
+    ("smoothing length", "h/dx 1.5", setter("particles", smoothing_ratio=1.5), ALWAYS),
+    ("smoothing length", "h evolving", setter("particles", smoothing_length="evolving"), FULL),
+    ("density", "density by summation", setter("particles", density="summation"), FULL),
+    ("correction", "no correction", setter("particles", correction=False, correct_forces=False), ALWAYS),
+    ("correction", "forces not corrected", setter("particles", correct_forces=False), FULL),
+    ("mass", "mass 1e2", setter("run", mass_factor=1e2), FULL),
+    ("mass", "mass 1e3", setter("run", mass_factor=1e3), ORTHOGONAL),
+    ("mass", "mass 3e4", setter("run", mass_factor=3e4), FULL),
+    ("mass", "mass 1e5", setter("run", mass_factor=1e5), ALWAYS),
+    ("viscosity", "viscosity 0", setter("particles", viscosity_linear=0.0), ALWAYS),
+    ("viscosity", "viscosity 0.5", setter("particles", viscosity_linear=0.5), FULL),
+    ("viscosity", "viscosity 1", setter("particles", viscosity_linear=1.0), ORTHOGONAL),
+    ("viscosity form", "viscosity of Monaghan", setter("particles", viscosity_form="monaghan"), ORTHOGONAL),
+    ("hourglass", "hourglass 0", setter("particles", hourglass_viscosity=0.0), ALWAYS),
+    ("hourglass", "hourglass 0.1", setter("particles", hourglass_viscosity=0.1), FULL),
+    ("hourglass", "hourglass 1", setter("particles", hourglass_viscosity=1.0), ORTHOGONAL),
+    ("artificial stress", "no artificial stress", setter("particles", artificial_stress=0.0), ALWAYS),
+    ("courant", "courant 0.3", setter("run", courant=0.3), ORTHOGONAL),
+    ("courant", "courant 0.7", setter("run", courant=0.7), ALWAYS),
+    ("contact", "contact stiffness 0.03", setter("contact", stiffness=0.03), FULL),
 ]
 
 
-def points_of(scene):
-    points = [Point(scene, "spacing", f"dx {spacing:.3g}", spacing=spacing) for spacing in scene.spacings]
-    points += [Point(scene, "spacing", f"dx {spacing:.3g}", spacing=spacing, full=True)
-               for spacing in scene.fine_spacings]
-    points += [Point(scene, group, label, change, full=full) for group, label, change, full in METHOD]
-    points += [Point(scene, "repeat", f"repeat {k}, dx {spacing:.3g}", shorter_step(k), spacing=spacing)
-               for spacing in scene.spacings if spacing >= scene.spacing for k in (1, 2, 3)]
-    points += [
-        Point(scene, "precision", "float", build="float"),
-        Point(scene, "slice", "slice 3 dx", lambda deck: scene.set_slice(deck, 3)),
-        Point(scene, "slice", "slice 6 dx", lambda deck: scene.set_slice(deck, 6)),
-        Point(scene, "slice", "slice 12 dx", lambda deck: scene.set_slice(deck, 12), full=True),
-        Point(scene, "fill", "particles only", lambda deck: scene.fill_all(deck, "particles"), full=True),
-        Point(scene, "fill", "particles only, shallow", scene.only_cut_zone),
-        Point(scene, "fill", "hexes, deleted at 1", all_hexes(scene, 1.0)),
-        Point(scene, "fill", "hexes, deleted at 2", all_hexes(scene, 2.0)),
-        Point(scene, "committed deck", "shipped deck", committed=True),
+def work_of(scene):
+    """What the work is made of: settings of the scene, not of the method."""
+    return [
+        ("slice", "slice 3 dx", lambda deck: scene.set_slice(deck, 3), ALWAYS),
+        ("slice", "slice 6 dx", lambda deck: scene.set_slice(deck, 6), ALWAYS),
+        ("slice", "slice 12 dx", lambda deck: scene.set_slice(deck, 12), FULL),
+        ("fill", "particles only", lambda deck: scene.fill_all(deck, "particles"), FULL),
+        ("fill", "particles only, shallow", scene.only_cut_zone, ALWAYS),
+        ("fill", "hexes, deleted at 1", all_hexes(scene, 1.0), ORTHOGONAL),
+        ("fill", "hexes, deleted at 2", all_hexes(scene, 2.0), ALWAYS),
     ]
-    if scene.name == "orthogonal":
-        points += [Point(scene, "band", f"band {1e6 * below:.0f} um", lambda deck, below=below:
-                         scene.set_band(deck, below), full=full) for below, full in ((20e-6, False), (80e-6, True))]
-        points += [Point(scene, "window", f"cut {0.5e6 * (time - 1e-5):.0f} um", lambda deck, time=time:
-                         scene.set_cut(deck, time), full=full) for time, full in ((0.15e-3, False), (0.4e-3, True))]
-        points += [Point(scene, "length", f"work {1e6 * length:.0f} um", lambda deck, length=length:
-                         scene.set_length(deck, length)) for length in (240e-6, 400e-6)]
-    else:
-        points += [Point(scene, "band", f"band {rows:+d} rows", lambda deck, rows=rows:
-                         scene.set_band(deck, rows), full=full) for rows, full in ((-4, False), (6, True))]
-        points += [Point(scene, "length", f"sector from {begin} deg", lambda deck, begin=begin:
-                         scene.set_sector(deck, begin)) for begin in (5, -4)]
-        points += [Point(scene, "window", f"entry at {angle} deg", lambda deck, angle=angle:
-                         scene.set_entry(deck, angle)) for angle in (73, 74.5)]
-    return points
+
+
+def orthogonal_work(scene):
+    return [
+        ("band", "band 20 um", lambda deck: scene.set_band(deck, 20e-6), ALWAYS),
+        ("band", "band 80 um", lambda deck: scene.set_band(deck, 80e-6), FULL),
+        ("window", "cut 70 um", lambda deck: scene.set_cut(deck, 0.15e-3), ALWAYS),
+        ("window", "cut 195 um", lambda deck: scene.set_cut(deck, 0.4e-3), FULL),
+        ("length", "work 240 um", lambda deck: scene.set_length(deck, 240e-6), ALWAYS),
+        ("length", "work 400 um", lambda deck: scene.set_length(deck, 400e-6), FULL),
+    ]
+
+
+def milling_work(scene):
+    return [
+        ("band", "band -4 rows", lambda deck: scene.set_band(deck, -4), ALWAYS),
+        ("band", "band +6 rows", lambda deck: scene.set_band(deck, 6), FULL),
+        ("length", "sector from 5 deg", lambda deck: scene.set_sector(deck, 5), ALWAYS),
+        ("length", "sector from -4 deg", lambda deck: scene.set_sector(deck, -4), ALWAYS),
+        ("window", "entry at 73 deg", lambda deck: scene.set_entry(deck, 73), ALWAYS),
+        ("window", "entry at 74.5 deg", lambda deck: scene.set_entry(deck, 74.5), ALWAYS),
+    ]
+
+
+def points_of(scene):
+    own_work = orthogonal_work(scene) if scene.name == "orthogonal" else milling_work(scene)
+    points = [Point(scene, "spacing", f"dx {spacing:.3g}", spacing=spacing, full=spacing in scene.fine_spacings)
+              for spacing in scene.spacings + scene.fine_spacings]
+    points += [Point(scene, "repeat", f"repeat {k}", shorter_step(k)) for k in (1, 2, 3)]
+    points += [Point(scene, group, label, change, full=sweep not in (ALWAYS, scene.name))
+               for group, label, change, sweep in METHOD + work_of(scene) + own_work]
+    return points + [Point(scene, "precision", "float", build="float"),
+                     Point(scene, "committed deck", "shipped deck", committed=True)]
 
 
 def together(scene, chosen, spacings):

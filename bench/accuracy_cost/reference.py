@@ -16,6 +16,7 @@ class Reference:
     order: float | None  # None: the series shows none
     slope: float = 0.0   # value(spacing) = value + slope * spacing^order
     series: tuple = ()   # spacing, value, standard error
+    scatter: float = 0.0  # what the fit leaves of one point
 
     def error(self, value):
         return (value - self.value) / abs(self.value)
@@ -49,50 +50,47 @@ def extrapolate(spacing, values, error):
         return Reference(finest[0], float(numpy.ptp(finest)) if len(finest) > 1 else abs(finest[0]), None, 0.0, series)
     error = numpy.maximum(error, 1e-6 * abs(values).max())
     limit, slope, order, squares = _best(spacing, values, error)
-    left = numpy.sqrt(squares / (len(values) - 3))  # of the own errors
-    sigma = error * max(1.0, left)
+    fitted = limit + slope * spacing**order
+    scatter = float(numpy.sqrt(((values - fitted) ** 2).sum() / (len(values) - 3)))
+    sigma = error * max(1.0, numpy.sqrt(squares / (len(values) - 3)))
     random = numpy.random.default_rng(1)
     limits = [_best(spacing, random.normal(values, sigma), sigma)[0] for _ in range(SAMPLES)]
     seen = abs(slope) * (spacing[-1] ** order - spacing[0] ** order) > 2 * sigma.mean()
     if not seen or order in (ORDERS[0], ORDERS[-1]):
         finest = values[:3]
         spread = max(float(numpy.ptp(finest)), 2 * float(sigma[:3].mean()))
-        return Reference(float(finest.mean()), spread, None, 0.0, series)
-    return Reference(float(limit), 2 * float(numpy.std(limits)), float(order), float(slope), series)
+        return Reference(float(finest.mean()), spread, None, 0.0, series, scatter)
+    return Reference(float(limit), 2 * float(numpy.std(limits)), float(order), float(slope), series, scatter)
 
 
-def _merge(runs):
-    """One row for runs that differ by chance only: means. The shares are of their scatter, by quantity."""
-    row, shares = dict(runs[0], runs=len(runs)), {}
-    row["core_seconds"] = float(numpy.mean([one["core_seconds"] for one in runs]))
+def _mean(runs):
+    """One row for runs that differ by chance only."""
+    row = dict(runs[0], runs=len(runs), core_seconds=float(numpy.mean([one["core_seconds"] for one in runs])))
     for quantity in QUANTITIES:
         values = [one[quantity] for one in runs if one.get(quantity) is not None]
-        row[quantity] = float(numpy.mean(values)) if values else None
-        if len(values) > 2:
-            shares[quantity] = float(numpy.std(values, ddof=1) / abs(numpy.mean(values)))
-    return row, shares
+        if len(values) > 1:
+            error = max(numpy.mean([one.get(quantity + "_error") or 0.0 for one in runs]), numpy.std(values, ddof=1))
+            row[quantity], row[quantity + "_error"] = float(numpy.mean(values)), float(error / len(values) ** 0.5)
+    return row
 
 
 def combine(rows, base_spacing):
-    """One row per setting. Repeats of a spacing, whose step is a little shorter, become one row with it: after a
-    while they are other cuts, and what they differ by is scatter, which the blocks of one run do not show.
-    Settings and spacings without repeats of their own take the scatter of the base's."""
-    same, alone = {}, []
+    """One row per setting: repeats of the base, whose step is a little shorter, become one row with it."""
+    same = [row for row in rows if row["status"] == "complete" and
+            (row["group"] == "repeat" or row["group"] == "spacing" and row["spacing"] == base_spacing)]
+    others = [dict(row, runs=1) for row in rows if row["group"] != "repeat" and row not in same]
+    same.sort(key=lambda row: row["group"] == "repeat")
+    return ([_mean(same)] if same and same[0]["group"] == "spacing" else []) + others
+
+
+def widen(rows, found):
+    """No error less than what the points scatter by about the fit over the spacing: at some spacings one row of
+    particles more passes below the edge, which neither the blocks nor the repeats of one spacing show."""
     for row in rows:
-        if row["group"] in ("spacing", "repeat") and row["status"] == "complete":
-            same.setdefault(row["spacing"], []).append(row)
-        elif row["group"] != "repeat":
-            alone.append((dict(row, runs=1), {}))
-    merged = {spacing: _merge(sorted(runs, key=lambda one: one["group"] == "repeat")) for spacing, runs in same.items()}
-    merged = {spacing: one for spacing, one in merged.items() if one[0]["group"] == "spacing"}
-    usual = merged[base_spacing][1] if base_spacing in merged else {}
-    for row, shares in [*merged.values(), *alone]:
-        for quantity in QUANTITIES:
-            if row.get(quantity) is not None:
-                scatter = shares.get(quantity, usual.get(quantity, 0.0)) * abs(row[quantity])
-                own = row.get(quantity + "_error") or 0.0
-                row[quantity + "_error"] = max(own, scatter) / row["runs"] ** 0.5
-    return [row for row, _ in [*merged.values(), *alone]]
+        for quantity, reference in found.items():
+            if row.get(quantity) is not None and row["group"] != "spacing":
+                row[quantity + "_error"] = max(row.get(quantity + "_error") or 0.0, reference.scatter)
+    return rows
 
 
 def references(rows):

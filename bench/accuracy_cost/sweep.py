@@ -140,8 +140,10 @@ class Sweep:
         base = next((row for row in rows if row["group"] == "spacing" and row["spacing"] == scene.spacing), None)
         if not all_tried or not base or base["status"] != "complete":
             return []
-        best = {row["label"] for row in reference.best_settings(rows, base, reference.references(rows))}
-        found = points.together(scene, [point for point in singles if point.label in best], scene.spacings[:4])
+        found = reference.references(rows)
+        best = {row["label"] for row in reference.best_settings(reference.widen(rows, found), base, found)}
+        found = points.together(scene, [point for point in singles if point.label in best],
+                                scene.spacings[:8:2])
         decks_now = {self.hash_of(point) for point in found}
         self.rows = [row for row in self.rows if row["scene"] != scene.name or row["group"] != "together"
                      or row["deck"] in decks_now]
