@@ -101,7 +101,7 @@ def plot(curve, file):
     for s in curve["series"]:
         style = {"color": "black"} if s["reference"] else {}
         if s["points"]:
-            style.update(linestyle="none", marker=next(markers), markersize=5, fillstyle="none")
+            style.update(linestyle="none", marker="o" if s["reference"] else next(markers), markersize=5, fillstyle="none")
         elif curve["log_log"]:
             style.update(marker=next(markers), markersize=5)
         if s["reference"] and not s["points"]:

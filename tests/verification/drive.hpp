@@ -1,0 +1,99 @@
+// Runs a deck made in memory, and looks at its particles or nodes in an order that sorting does not change.
+#pragma once
+#include "src/simulation.hpp"
+#include "tests/src/scene_decks.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include <fstream>
+
+namespace swarf::test {
+
+// Every key of the method at its shipped default. Materials, bodies, tool and end are the case's own.
+inline Deck shipped_defaults() {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "deck.toml").string();
+  std::ofstream(file) << R"(
+[material.a]
+law = "elastic"
+density = "1000 kg/m3"
+youngs_modulus = "1 GPa"
+poissons_ratio = 0.3
+[[body]]
+name = "b"
+shape = "block"
+fill = "hexes"
+material = "a"
+size = ["1 m", "1 m", "1 m"]
+spacing = "1 m"
+[run]
+end_time = "1 s"
+)";
+  Deck deck = read_deck(file);
+  deck.bodies.clear();
+  return deck;
+}
+
+// The same without any damping.
+inline Deck undamped() {
+  Deck deck = shipped_defaults();
+  deck.particles.viscosity_linear = deck.particles.viscosity_quadratic = 0;
+  deck.particles.hourglass_viscosity = deck.particles.artificial_stress = 0;
+  deck.hexes.viscosity_linear = deck.hexes.viscosity_quadratic = 0;
+  return deck;
+}
+
+inline MaterialDeck elastic_material(double density, double E, double nu) {
+  MaterialDeck m = shipped_defaults().materials[0];
+  m.name = "Ti", m.density = density, m.youngs_modulus = E,
+  m.poissons_ratio = nu; // the name that block() uses
+  return m;
+}
+
+inline void hold(BodyDeck& body, const std::string& kind, const std::vector<const char*>& faces) {
+  for (const char* face : faces) body.faces.push_back({face, kind, {}});
+}
+
+struct PointState {
+  Triple x{}, v{};
+};
+
+// Particles in the order of their identity, or the nodes of a scene without particles.
+inline std::vector<PointState> snapshot(const Scene& scene) {
+  const bool particles = scene.particles.count > 0;
+  const int n = particles ? scene.particles.count : scene.hexes.nodes;
+  const auto x = host_copy(particles ? scene.particles.position : scene.hexes.position);
+  const auto v = host_copy(particles ? scene.particles.velocity : scene.hexes.velocity);
+  const auto identity = host_copy(scene.particles.identity);
+  std::vector<PointState> all(std::size_t(n), PointState{});
+  for (int i = 0; i < n; ++i)
+    for (int d = 0; d < 3; ++d) {
+      PointState& p = all[std::size_t(particles ? identity(i) : i)];
+      p.x[d] = double(x(i, d)), p.v[d] = double(v(i, d));
+    }
+  return all;
+}
+
+// Before start(): the velocity of every particle and node as a function of its position.
+template <class Function>
+void set_velocity(const Scene& scene, Function&& function) {
+  const auto set = [&](const VectorField& position, const VectorField& velocity) {
+    const auto x = host_copy(position), v = host_copy(velocity);
+    for (std::size_t i = 0; i < v.extent(0); ++i) {
+      const Triple u = function(Triple{double(x(i, 0)), double(x(i, 1)), double(x(i, 2))});
+      for (int d = 0; d < 3; ++d) v(i, d) = Real(u[d]);
+    }
+    Kokkos::deep_copy(velocity, v);
+  };
+  set(scene.particles.position, scene.particles.velocity), set(scene.hexes.position, scene.hexes.velocity);
+}
+
+// Steps to the end time; observe() after each step.
+template <class Observe>
+void run_until(Simulation& simulation, double end, Observe&& observe) {
+  while (simulation.time() < end) {
+    simulation.step();
+    if (simulation.steps_to_check() <= 0) simulation.check();
+    observe();
+  }
+}
+
+} // namespace swarf::test
