@@ -1,0 +1,65 @@
+// A cylinder against a rigid wall at z = 0: its length and the radius of its foot over time.
+#pragma once
+#include "tests/verification/drive.hpp"
+#include <map>
+
+namespace swarf::test {
+
+struct BarShape {
+  std::vector<double> time, length, radius; // s, m, m
+  double largest_residual = 0;              // of energy over the initial kinetic energy
+};
+
+// Follows the material surface: the outermost points of each layer, and the top layer. Centres of particles
+// lie half a particle inside the surface, and move with it as their layer stretches.
+class BarRuler {
+ public:
+  BarRuler(const Scene& scene, double radius, double length) : X(snapshot(scene)) {
+    double outermost = 0, top = 0;
+    for (const PointState& p : X)
+      outermost = std::max(outermost, std::hypot(p.x[0], p.x[1])), top = std::max(top, p.x[2]);
+    for (std::size_t i = 0; i < X.size(); ++i) {
+      if (X[i].x[2] > top - 1e-3 * length) upper.push_back(i);
+      if (std::hypot(X[i].x[0], X[i].x[1]) > outermost * (1 - 1e-6))
+        layers[std::lround(1e6 * X[i].x[2] / length)].push_back(i);
+    }
+    stretch = radius / outermost, above = length - top;
+  }
+  void measure(const Scene& scene, double time, BarShape& shape) const {
+    const auto now = snapshot(scene);
+    double foot = 0, top = 0;
+    for (const auto& [z, points] : layers) {
+      double r = 0;
+      for (const std::size_t i : points) r += std::hypot(now[i].x[0], now[i].x[1]) / double(points.size());
+      foot = std::max(foot, r);
+    }
+    for (const std::size_t i : upper) top += now[i].x[2] / double(upper.size());
+    shape.time.push_back(time), shape.radius.push_back(stretch * foot), shape.length.push_back(top + above);
+  }
+
+ private:
+  std::vector<PointState> X;
+  std::vector<std::size_t> upper;
+  std::map<long, std::vector<std::size_t>> layers;
+  double stretch = 1, above = 0;
+};
+
+inline BarShape run_taylor_bar(const Deck& deck, double end) {
+  Simulation simulation(deck);
+  const BodyDeck& bar = deck.bodies[0];
+  const BarRuler ruler(simulation.scene(), bar.radius, bar.height);
+  simulation.start();
+  BarShape shape;
+  ruler.measure(simulation.scene(), 0, shape);
+  double next = 0;
+  run_until(simulation, end, [&] {
+    if (simulation.time() < next && simulation.time() < end) return;
+    next += end / 400;
+    ruler.measure(simulation.scene(), simulation.time(), shape);
+    shape.largest_residual = std::max(shape.largest_residual,
+                                      std::abs(simulation.sample().residual) / simulation.initial_kinetic());
+  });
+  return shape;
+}
+
+} // namespace swarf::test
