@@ -1,5 +1,6 @@
 // A cylinder against a rigid wall at z = 0: its length and the radius of its foot over time.
 #pragma once
+#include "tests/verification/case.hpp"
 #include "tests/verification/drive.hpp"
 #include <map>
 
@@ -60,6 +61,11 @@ inline BarShape run_taylor_bar(const Deck& deck, double end) {
                                       std::abs(simulation.sample().residual) / simulation.initial_kinetic());
   });
   return shape;
+}
+
+inline void report_energy(const std::string& name, const std::string& run, const BarShape& shape) {
+  report({name, "largest energy residual over the initial kinetic energy", run, 0, "",
+          "conservation of energy", shape.largest_residual, shape.largest_residual, 0.01, true});
 }
 
 } // namespace swarf::test

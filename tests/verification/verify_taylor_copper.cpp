@@ -54,6 +54,7 @@ void compare(const std::string& fill, double spacing, Curve& radius, Curve& leng
   std::snprintf(run, sizeof run, "spacing %.2g mm, deck as shipped", 1e3 * spacing);
   const auto t = in_us(ours.time);
   report_curve(name, "length", run, t, in_mm(ours.length), ref.time, ref.length);
+  report_energy(name, run, ours);
   report_curve(name, "radius of the foot", run, t, in_mm(ours.radius), ref.time, ref.radius);
   char label[64];
   std::snprintf(label, sizeof label, "%s, %.2g mm", fill.c_str(), 1e3 * spacing);

@@ -43,6 +43,7 @@ void shoot(const Shot& shot, const std::string& fill, double spacing) {
       source = "Johnson & Cook, Proc. 7th Int. Symp. Ballistics, 1983: measured; material constants theirs";
   report({name, "final length", run, shot.length, "mm", source, 1e3 * length,
           relative_error(1e3 * length, shot.length), 0.05});
+  report_energy(name, run, ours);
   const double diameter = 2e3 * ours.radius.back();
   report({name, "final diameter of the foot", run, shot.diameter, "mm", source, diameter,
           relative_error(diameter, shot.diameter), 0.1});

@@ -2,11 +2,10 @@
 // spacing. In the continuum nothing is reflected: both sides have the same impedance. No viscosity, no other
 // damping. What is reflected is the difference to a bar of particles only, so that the dispersion of the
 // particles does not count.
-#include "scene_decks.hpp"
 #include "src/simulation.hpp"
-#include <cmath>
-#include <cstdio>
-#include <gtest/gtest.h>
+#include "tests/src/scene_decks.hpp"
+#include "tests/verification/case.hpp"
+#include <algorithm>
 
 using namespace swarf;
 using namespace swarf::test;
@@ -96,6 +95,23 @@ Outcome run(int ratio, double pulse) {
   return o;
 }
 
+// What the best junction of two chains of masses and springs reflects of the pulse's energy: spacing d and
+// ratio d, one impedance rho c in the continuum, rho c cos(k d / 2) in the chain. Waves above the cut-off of
+// the coarser chain, omega = 2 c / (ratio d), come back whole.
+double chain_reflection(double pulse, int ratio) {
+  double reflected = 0, all = 0;
+  const int n = 20000;
+  for (int m = 0; m < n; ++m) {
+    const double k = (m + 0.5) / n * pi / spacing, a = 0.5 * k * pulse;
+    const double amplitude = std::cos(a) / (pi * pi / 4 - a * a); // spectrum of half a sine
+    const double s = std::sin(0.5 * k * spacing), coarse = ratio * s;
+    const double Z1 = std::sqrt(1 - s * s), Z2 = coarse < 1 ? std::sqrt(1 - coarse * coarse) : 0;
+    const double R = (Z1 - Z2) / (Z1 + Z2);
+    all += amplitude * amplitude, reflected += R * R * amplitude * amplitude;
+  }
+  return reflected / all;
+}
+
 struct Bound {
   double amplitude, energy;
 };
@@ -105,8 +121,6 @@ const Bound bounds[2][3] = {{{0.08, 0.005}, {0.1, 0.015}, {0.22, 0.055}},
 } // namespace
 
 TEST(TiePulse, PassesFromParticlesToHexes) {
-  std::printf("pulse / spacing, hex / spacing: reflected amplitude, reflected energy, passed amplitude "
-              "(particles only), momentum error, energy residual\n");
   for (const int cells : {10, 20}) {
     const Outcome alone = run(0, cells * spacing);
     for (const int ratio : {1, 2, 3}) {
@@ -116,12 +130,17 @@ TEST(TiePulse, PassesFromParticlesToHexes) {
         const double v = (o.profile[k] - alone.profile[k]) / crest;
         amplitude = std::max(amplitude, std::abs(v)), energy += v * v / (0.5 * cells);
       }
-      std::printf("%2d %d: %.4f %.2e %.4f (%.4f) %.1e %.1e\n", cells, ratio, amplitude, energy, o.passed,
-                  alone.passed, o.momentum_error, o.energy_error);
-      const std::string name = std::to_string(cells) + "_" + std::to_string(ratio);
-      RecordProperty("reflected_amplitude_" + name, std::to_string(amplitude));
-      RecordProperty("reflected_energy_" + name, std::to_string(energy));
-      RecordProperty("energy_residual_" + name, std::to_string(o.energy_error));
+      const double unavoidable = chain_reflection(cells * spacing, ratio);
+      char how[96];
+      std::snprintf(how, sizeof how, "pulse of %d spacings, hexes of %d", cells, ratio);
+      // The tie may add 1 % of the energy (10 % of the amplitude) to what the two meshes reflect.
+      report({"1 bar wave, through the tie", "reflected share of the pulse's energy", how, unavoidable, "",
+              "two chains of masses and springs joined: R = (Z1 - Z2)/(Z1 + Z2), Z = rho c cos(k d/2)",
+              energy, energy - unavoidable, 0.01, true,
+              ratio == 3 && cells == 10
+                  ? "3.3 hexes to the pulse; and the particles carry such short waves worse than "
+                    "the chain of the reference"
+                  : ""});
       // Measured 0.32 and 0.06, 1.1 and 0.12, 4.2 and 0.32 % of the energy for pulses of 10 and 20 spacings:
       // no law, kept as bounds so that a change of the tie shows. Three spacings to a hex leave a pulse of
       // ten three hexes, and a mesh that coarse hardly carries it.
