@@ -20,7 +20,8 @@ of each at once.
 - Reference: the limit of spacing 0 with the observed order (Richardson), from the points that differ in spacing only.
   Its uncertainty is twice the standard deviation of that limit when the points scatter by their own error or by what
   the fit leaves, whichever is more. It says nothing about settings that all points share.
-- Errors carry their sign: two that cancel are luck, not accuracy.
+- Errors carry their sign: two that cancel are luck, not accuracy. "For 5 %" asks that error and standard error
+  together are within 5 %.
 """
 
 
@@ -43,9 +44,10 @@ def reference_lines(found):
 
 
 def qualifies(row, rows, found, limit):
-    """Error within the limit; in the series of spacings every finer one must be so too, or it is chance."""
+    """Error and scatter together within the limit; in the series of spacings every finer one too, or it is chance."""
     def within(one):
-        return abs(draw.error_of(one, "cutting_force", found)) <= limit
+        scatter = one["cutting_force_error"] / abs(found["cutting_force"].value)
+        return abs(draw.error_of(one, "cutting_force", found)) + scatter <= limit
     if row["group"] != "spacing":
         return within(row)
     return all(within(one) for one in rows if one["group"] == "spacing" and one["spacing"] <= row["spacing"])
