@@ -12,7 +12,7 @@ struct BarShape {
 };
 
 // Follows the material surface: the outermost points of each layer, and the top layer. Centres of particles
-// lie half a particle inside the surface, and move with it as their layer stretches.
+// lie half a particle inside the surface: sideways they move with it as their layer stretches.
 class BarRuler {
  public:
   BarRuler(const Scene& scene, double radius, double length) : X(snapshot(scene)) {
@@ -28,13 +28,17 @@ class BarRuler {
   }
   void measure(const Scene& scene, double time, BarShape& shape) const {
     const auto now = snapshot(scene);
-    double foot = 0, top = 0;
+    std::vector<double> radius; // of the layers, from the foot upwards
+    double top = 0;
     for (const auto& [z, points] : layers) {
-      double r = 0;
-      for (const std::size_t i : points) r += std::hypot(now[i].x[0], now[i].x[1]) / double(points.size());
-      foot = std::max(foot, r);
+      radius.push_back(0);
+      for (const std::size_t i : points)
+        radius.back() += std::hypot(now[i].x[0], now[i].x[1]) / double(points.size());
     }
     for (const std::size_t i : upper) top += now[i].x[2] / double(upper.size());
+    // The foot is half a spacing below the centres of its layer.
+    double foot = above > 1e-6 * top ? 1.5 * radius[0] - 0.5 * radius[1] : 0;
+    for (const double r : radius) foot = std::max(foot, r);
     shape.time.push_back(time), shape.radius.push_back(stretch * foot), shape.length.push_back(top + above);
   }
 

@@ -63,7 +63,8 @@ void pull_bar(const std::string& fill, End end, double artificial_stress, Curve&
   const double v0 = 10;
   Deck deck = bar(shipped_defaults(), fill, cells, end);
   deck.particles.artificial_stress = artificial_stress;
-  std::string run = label(fill, cells) + (end == End::held ? ", held layer" : ", plane of symmetry");
+  const std::string held = fill == "hexes" ? ", held nodes" : ", held layer";
+  std::string run = label(fill, cells) + (end == End::held ? held : ", plane of symmetry");
   if (fill == "particles") run += artificial_stress > 0 ? ", artificial stress 0.3" : ", artificial stress 0";
   Simulation simulation(deck);
   set_velocity(simulation.scene(), [&](const Triple& x) { return Triple{0, 0, x[2] > 0 ? v0 : 0}; });
@@ -112,7 +113,9 @@ TEST(BarWave, FreeEndPeaks) {
               "displacement of the free end, um",
               {}};
   const std::string wide = "the front of particles is wider than three spacings, which rounds the peak";
-  const std::string inside = "a held layer of particles holds like a clamp about one spacing inside its face";
+  const std::string inside =
+      "a held layer strains with its whole volume, half of which lies behind the hold: N layers "
+      "strain for N - 1/2 spacings, which acts like a clamp one spacing inside the face";
   const std::string soft =
       "the artificial stress of 0.3 takes back a tenth of every tension: slower by half of that";
   pull_bar("particles", End::mirror, 0, curve, wide), pull_bar("hexes", End::held, 0, curve);
