@@ -38,8 +38,8 @@ void report_curve(const std::string& name, const std::string& what, const std::s
     if (!(error <= worst)) worst = error, at = value, there = ref[k];
   }
   report({name, "final " + what, run, ref.back(), "mm", source, ours.back(),
-          relative_error(ours.back(), ref.back()), 0.03});
-  report({name, what + ", worst over time", run, there, "mm", source, at, worst, 0.03});
+          relative_error(ours.back(), ref.back()), 0.03, false, known_fault});
+  report({name, what + ", worst over time", run, there, "mm", source, at, worst, 0.03, false, known_fault});
 }
 
 // 3 %: what codes with different elements and contact agree to for this bar, set by the issue of the case.
@@ -55,17 +55,19 @@ void compare(const std::string& fill, double spacing, Curve& radius, Curve& leng
   const auto t = in_us(ours.time);
   report_curve(name, "length", run, t, in_mm(ours.length), ref.time, ref.length);
   report_energy(name, run, ours);
-  report_curve(name, "radius of the foot", run, t, in_mm(ours.radius), ref.time, ref.radius);
+  const bool narrow = fill == "particles" && spacing > 0.5e-3;
+  report_curve(name, "radius of the foot", run, t, in_mm(ours.radius), ref.time, ref.radius,
+               narrow ? "eight particles across are too few for a foot that stretches 2.3 times" : "");
   char label[64];
   std::snprintf(label, sizeof label, "%s, %.2g mm", fill.c_str(), 1e3 * spacing);
   length.series.push_back({label, t, in_mm(ours.length)}),
       radius.series.push_back({label, t, in_mm(ours.radius)});
 }
 
-void compare_both(double spacing, const std::string& file) {
+void compare_all(const std::vector<const char*>& fills, double spacing, const std::string& file) {
   Curve radius{file + "_radius", "Taylor bar, copper, 227 m/s", "time, us", "radius of the foot, mm", {}};
   Curve length{file + "_length", "Taylor bar, copper, 227 m/s", "time, us", "length, mm", {}};
-  for (const char* fill : {"hexes", "particles"}) compare(fill, spacing, radius, length);
+  for (const char* fill : fills) compare(fill, spacing, radius, length);
   const Reference ref = reference();
   radius.series.push_back({"Sierra, 0.19 mm", ref.time, ref.radius, true, true});
   length.series.push_back({"Sierra, 0.19 mm", ref.time, ref.length, true, true});
@@ -74,5 +76,6 @@ void compare_both(double spacing, const std::string& file) {
 
 } // namespace
 
-TEST(TaylorCopper, CoarseOverTime) { compare_both(0.8e-3, "taylor_copper_coarse"); }
-TEST(TaylorCopperLong, OverTime) { compare_both(0.4e-3, "taylor_copper"); }
+TEST(TaylorCopper, CoarseOverTime) { compare_all({"hexes", "particles"}, 0.8e-3, "taylor_copper_coarse"); }
+TEST(TaylorCopperLong, Particles) { compare_all({"particles"}, 0.4e-3, "taylor_copper_particles"); }
+TEST(TaylorCopperLong, Hexes) { compare_all({"hexes"}, 0.4e-3, "taylor_copper_hexes"); }
