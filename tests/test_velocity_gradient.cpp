@@ -1,8 +1,5 @@
 #include "support/particle_block.hpp"
-#include "swarf/smoothing_kernel.hpp"
-#include <algorithm>
 #include <gtest/gtest.h>
-#include <vector>
 
 namespace swarf::test {
 
@@ -28,72 +25,39 @@ Real largest_error(const Particles& p, const Tensor3& L0) {
   return worst;
 }
 
-// |K_i|^2, summed pair by pair on the host: what velocity_gradient bounds.
-std::vector<Real> correction_norms(const Particles& p) {
-  const auto x = host_copy(p.position);
-  const auto V = host_copy(p.volume), h = host_copy(p.smoothing_length);
-  std::vector<Real> norms;
-  for (int i = 0; i < p.count; ++i) {
-    Tensor3 A{};
-    for (int j = 0; j < p.count; ++j) {
-      const Vector3 r = load_vector(x, i) - load_vector(x, j);
-      const Real h2 = h(i) * h(i), w = -V(j) * kernel_slope<Real>(norm(r) / h(i)) / (h2 * h2 * h(i));
-      const Vector3 g = w * r;
-      A = A + Tensor3{r.x * g.x, r.x * g.y, r.x * g.z, r.y * g.x, r.y * g.y,
-                      r.y * g.z, r.z * g.x, r.z * g.y, r.z * g.z};
-    }
-    const Tensor3 K = inverse(A, determinant(A));
-    const Real* k = &K.xx;
-    Real norm2 = 0;
-    for (int c = 0; c < 9; ++c) norm2 += k[c] * k[c];
-    norms.push_back(norm2);
-  }
-  return norms;
-}
-
-// Disorder of 0.1 spacings keeps |K|^2 of every particle, corners of the block included, under the bound of
-// 100 from which the kernel gives up exactness.
 TEST(VelocityGradient, IsExactForALinearFieldOnADisorderedSet) {
   const Tensor3 L0{1, 2, -3, 0.5, -1, 4, 2, 0.25, 3};
+  for (const double disorder : {0.1, 0.2}) {
+    ParticleBlock b = particle_block(9, 8, 7, Real(2.5e-6), Real(disorder));
+    build_lists(b);
+    set_linear_velocity(b.particles, L0);
+    velocity_gradient(b.particles, b.neighbors, b.method);
+    EXPECT_LT(largest_error(b.particles, L0), round_off);
+  }
+}
+
+// The stress passes from particles to hexes along a ramp of volumes that fall to nothing: those few parts in
+// a thousand of a cell are neighbours like any other.
+TEST(VelocityGradient, IsExactHoweverSmallTheVolumesAre) {
+  const Tensor3 L0{1, 2, -3, 0.5, -1, 4, 2, 0.25, 3};
   ParticleBlock b = particle_block(9, 8, 7, Real(2.5e-6), Real(0.1));
+  const auto volume = host_copy(b.particles.volume);
+  for (int i = 0; i < b.particles.count; ++i) volume(i) *= Real(2e-3);
+  Kokkos::deep_copy(b.particles.volume, volume);
   build_lists(b);
-  const std::vector<Real> norms = correction_norms(b.particles);
-  ASSERT_LT(*std::max_element(norms.begin(), norms.end()), 100);
   set_linear_velocity(b.particles, L0);
   velocity_gradient(b.particles, b.neighbors, b.method);
   EXPECT_LT(largest_error(b.particles, L0), round_off);
 }
 
-// The documented limit of the method: where |K|^2 exceeds 100 the gradient is bounded, not exact. Everywhere
-// else it stays exact. A disorder of 0.2 spacings takes one corner of this block there (|K|^2 = 116).
-TEST(VelocityGradient, IsExactWhereTheNeighboursSpanSpace) {
+// Neighbours that hardly leave a plane: bounded, not exact.
+TEST(VelocityGradient, OfASheetIsBounded) {
   const Tensor3 L0{1, 2, -3, 0.5, -1, 4, 2, 0.25, 3};
-  ParticleBlock b = particle_block(9, 8, 7, Real(2.5e-6), Real(0.2));
+  ParticleBlock b = particle_block(9, 8, 1, Real(2.5e-6), Real(0.02));
   build_lists(b);
   set_linear_velocity(b.particles, L0);
   velocity_gradient(b.particles, b.neighbors, b.method);
-  const std::vector<Real> norms = correction_norms(b.particles);
-  const auto x = host_copy(b.particles.position);
-  const auto L = host_copy(b.particles.points.velocity_gradient);
-  const int cells[3] = {9, 8, 7};
-  int bounded = 0;
-  for (int i = 0; i < b.particles.count; ++i) {
-    Real error = 0;
-    int faces = 0; // of the block that the particle's cell touches
-    for (int c = 0; c < 9; ++c) error = std::max(error, std::abs(L(i, c) - (&L0.xx)[c]));
-    for (int d = 0; d < 3; ++d) {
-      const int cell = int(std::floor(x(i, d) / Real(2.5e-6)));
-      faces += cell <= 0 || cell >= cells[d] - 1;
-    }
-    if (norms[std::size_t(i)] < 100) {
-      EXPECT_LT(error, round_off);
-    } else {
-      ++bounded;
-      EXPECT_EQ(faces, 3) << "|K|^2 = " << norms[std::size_t(i)];
-      EXPECT_LT(error, 1); // of components up to 4 1/s; measured 0.48
-    }
-  }
-  EXPECT_EQ(bounded, 1);
+  EXPECT_LT(largest_error(b.particles, L0), 10); // of components up to 4 1/s
 }
 
 TEST(VelocityGradient, WithoutCorrectionIsWrongAtAFreeSurface) {
