@@ -9,6 +9,7 @@ namespace swarf::test {
 struct BarShape {
   std::vector<double> time, length, radius; // s, m, m
   double largest_residual = 0;              // of energy over the initial kinetic energy
+  double artificial = 0;                    // work of hourglass control and viscosity over it, at the end
 };
 
 // Follows the material surface: the outermost points of each layer, and the top layer. Centres of particles
@@ -61,8 +62,10 @@ inline BarShape run_taylor_bar(const Deck& deck, double end) {
     if (simulation.time() < next && simulation.time() < end) return;
     next += end / 400;
     ruler.measure(simulation.scene(), simulation.time(), shape);
-    shape.largest_residual = std::max(shape.largest_residual,
-                                      std::abs(simulation.sample().residual) / simulation.initial_kinetic());
+    const HistorySample now = simulation.sample();
+    shape.largest_residual =
+        std::max(shape.largest_residual, std::abs(now.residual) / simulation.initial_kinetic());
+    shape.artificial = (now.hourglass + now.viscous) / simulation.initial_kinetic();
   });
   return shape;
 }
@@ -70,6 +73,8 @@ inline BarShape run_taylor_bar(const Deck& deck, double end) {
 inline void report_energy(const std::string& name, const std::string& run, const BarShape& shape) {
   report({name, "largest energy residual over the initial kinetic energy", run, 0, "",
           "conservation of energy", shape.largest_residual, shape.largest_residual, 0.01, true});
+  std::printf("%s (%s): hourglass control and viscosity took %.2f %% of the initial kinetic energy\n",
+              name.c_str(), run.c_str(), 100 * shape.artificial);
 }
 
 } // namespace swarf::test

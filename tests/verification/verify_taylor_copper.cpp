@@ -31,7 +31,8 @@ Reference reference() {
 // Final value, and the worst of all times of the table.
 void report_curve(const std::string& name, const std::string& what, const std::string& run,
                   const std::vector<double>& t, const std::vector<double>& ours,
-                  const std::vector<double>& t_ref, const std::vector<double>& ref) {
+                  const std::vector<double>& t_ref, const std::vector<double>& ref,
+                  const std::string& known_fault = "") {
   double worst = 0, at = 0, there = 0;
   for (std::size_t k = 0; k < t_ref.size(); ++k) {
     const double value = interpolate(t, ours, t_ref[k]), error = relative_error(value, ref[k]);
