@@ -130,7 +130,8 @@ def write_page(rows, curves, results, missing, page):
     commits, threads = ({r[key] for r in results} for key in ("commit", "threads"))
     lines = ["# Verification", "",
              "Made by `scripts/verify`; no number here is typed by hand. Every row is an assertion of a test in "
-             "tests/verification; allowed errors come from the reference and were set before the run.", "",
+             "tests/verification, where the reason of the allowed error stands beside it. A row that fails is asserted to "
+             "fail, and says below why, as far as is known.", "",
              f"{len(rows) - len(bad)} of {len(rows)} rows pass. Commit {', '.join(sorted(commits))}; "
              f"{', '.join(sorted(threads))} thread(s) of {processor()}.", "",
              "| case | tests | parameters | reference | source | ours | error | allowed | pass | run time |",
