@@ -35,6 +35,7 @@ void Simulation::step() {
   if (lists_due) rebuild_lists();
   follow_hexes_and_images();
   update_rates_and_stresses();
+  if (deck.particles.pressure_diffusion > 0) smooth_pressure();
   compute_forces();
   press_tool();
   if (conducts) conduct();
@@ -85,6 +86,18 @@ void Simulation::update_rates_and_stresses() {
   update_stress(model.hexes.points, model.materials, dt, hex_status);
   delete_hexes(model.hexes, hex_method);
   timer.mark("stress");
+}
+
+// As rarely as stable and smooth: sum_j of the weights is 6 delta c / h, of which a call takes 0.2.
+void Simulation::smooth_pressure() {
+  if (model.particles.count == 0) return;
+  pressure_time += step_size;
+  const double delta = deck.particles.pressure_diffusion;
+  if (6 * delta * (pressure_time + step_size) <= 0.2 * particle_step) return;
+  diffuse_pressure(model.particles, lists, model.image_planes, model.materials,
+                   {Real(delta), Real(pressure_time), Real(step_size)});
+  pressure_time = 0;
+  timer.mark("pressure");
 }
 
 void Simulation::compute_forces() {

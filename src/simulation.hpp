@@ -52,6 +52,7 @@ class Simulation {
   void rebuild_lists();
   void follow_hexes_and_images();
   void update_rates_and_stresses();
+  void smooth_pressure();
   void compute_forces();
   void press_tool();
   void conduct();
@@ -71,6 +72,8 @@ class Simulation {
   Status status, hex_status; // of particles; of hexes
   ToolLoadSums loads;
 
+  double particle_step = 0; // s: least h / c of the particles
+  double pressure_time = 0; // s since the last diffuse_pressure
   bool conducts = false;
   double heat_step = 0, heat_time = 0; // s: stable step of conduction; time since the last one
   double now = 0, step_size = 0, mass_factor = 1;

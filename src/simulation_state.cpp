@@ -96,6 +96,7 @@ void Simulation::start() {
 StableStep Simulation::limit_step() {
   const StableStep particle_limit = stable_step(model.particles, lists, model.materials, Real(mass_factor));
   StableStep hex_limit = stable_step(model.hexes, model.materials, Real(mass_factor));
+  particle_step = double(particle_limit.dt);
   const bool hexes_limit =
       hex_limit.limiter >= 0 && (particle_limit.limiter < 0 || hex_limit.dt < particle_limit.dt);
   step_limiter = fmt::format("{} {}", hexes_limit ? "hex" : "particle",
@@ -212,6 +213,7 @@ void Simulation::write_state(CheckpointWriter& out) const {
   out.put("time", now), out.put("step_size", step_size), out.put("steps", steps);
   out.put("reference_step", contact_law.reference_step), out.put("next_check", next_check),
       out.put("rebuild_count", rebuild_count);
+  out.put("particle_step", particle_step), out.put("pressure_time", pressure_time);
   out.put("heat_step", heat_step), out.put("heat_time", heat_time);
   out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
   out.put("status", value_of(status)), out.put("hex_status", value_of(hex_status));
@@ -245,6 +247,7 @@ void Simulation::read_state(const CheckpointReader& in) {
   Kokkos::deep_copy(loads.total, load);
   in.get("time", now), in.get("step_size", step_size), in.get("steps", steps);
   in.get("next_check", next_check), in.get("rebuild_count", rebuild_count);
+  in.get("particle_step", particle_step), in.get("pressure_time", pressure_time);
   in.get("heat_step", heat_step), in.get("heat_time", heat_time);
   in.get("steps_at_sample", steps_at_sample), in.get("reference_step", contact_law.reference_step);
   first_step = steps;

@@ -83,9 +83,7 @@ double decay_ratio(int n, bool along_surface) {
 
 // A free side conducts too much along itself, by the second moment of the corrected pair sum on the
 // lattice: 4.80 % in a plate of 3 layers, 1.79 % in one of 8 (the plain sum: 15 % and 7 % too little).
-TEST(ConductHeat, CosineDecaysInABar) {
-  EXPECT_NEAR(decay_ratio(16, false), 1.0179 * 1.0179, 0.004);
-}
+TEST(ConductHeat, CosineDecaysInABar) { EXPECT_NEAR(decay_ratio(16, false), 1.0179 * 1.0179, 0.004); }
 TEST(ConductHeat, CosineDecaysAlongAThinPlate) { EXPECT_NEAR(decay_ratio(24, true), 1.0480 * 1.0179, 0.004); }
 
 // Periodic images: a cosine of the period decays as in an endless body, at alpha (2 pi / L)^2.

@@ -49,6 +49,13 @@ void sum_density(const Particles&, const Neighbors&, const MaterialTable&);     
 void evolve_smoothing_length(const Particles&, Real dt);
 void prepare_pair_state(const Particles&, const MaterialTable&, const ParticleMethod&);
 void particle_forces(const Particles&, const Neighbors&, const ParticleMethod&, Real dt);
+struct PressureDiffusion {
+  Real coefficient; // delta
+  Real time;        // s since the last call
+  Real step;        // s, the last step
+};
+void diffuse_pressure(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&,
+                      const PressureDiffusion&);
 
 // --- hexes
 void hex_velocity_gradient(const HexMesh&, const Status&); // B, volume, L at the centre

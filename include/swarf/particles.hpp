@@ -27,6 +27,7 @@ struct Particles {
   SymmetricField artificial_stress; // Gray-Monaghan, Pa
   View<Real* [2]> heat_state;       // T (K) and k (W/(m K)), and
   SymmetricField heat_shape;        // K: for conduct_heat; 0 rows without conduction
+  View<Real* [4]> pressure_state;   // p (Pa) and its gradient, for diffuse_pressure; 0 rows without it
   View<Real* [2]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), for the viscosity
 
   ScalarField heat; // J that conduction brought last, rows [0, count + tied); 0 rows without it

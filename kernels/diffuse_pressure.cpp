@@ -1,0 +1,119 @@
+// dp_i/dt = delta c' h sum_j V_j (p_i - p_j - (g_i + g_j).x_ij / 2) 2 (dW/dr)/r,  g = grad p, corrected
+// Pressures that alternate from particle to particle do no work on any velocity gradient that the particles
+// see: nothing else takes them away. The diffusion acts on what two neighbours' gradients do not explain, so
+// that a smooth field keeps its gradient: Antuono et al. (2010) for the density of a fluid. c' and h:
+// mass-scaled wave speed and smoothing length, means of the pair; the sum of V_i p_i is kept. Reads stress,
+// correction, volume, smoothing_length, impedance; writes stress; moves the elastic energy that is lost from
+// internal_work to hourglass_work.
+#include "swarf/kernels.hpp"
+#include "swarf/pair.hpp"
+
+namespace swarf {
+namespace {
+
+void prepare_pressure(const Particles& p) {
+  Kokkos::parallel_for(
+      "prepare_pressure", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
+        p.pressure_state(i, 0) = trace(load_symmetric(p.points.stress, i)) / Real(-3);
+        for (int d = 0; d < 3; ++d) p.pressure_state(i, 1 + d) = 0;
+      });
+}
+
+void copy_to_images(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
+  const int first = n.image_first;
+  const auto source = n.image_source;
+  const auto state = p.pressure_state;
+  for (int k = 0; k < n.planes; ++k) { // planes of later pairs copy images of earlier ones
+    const Tensor3 R = planes[k].to_image.R;
+    Kokkos::parallel_for(
+        "update_image_pressure", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
+          const int i = source(image), to = first + image;
+          const Vector3 g = multiply(R, Vector3{state(i, 1), state(i, 2), state(i, 3)});
+          state(to, 0) = state(i, 0);
+          state(to, 1) = g.x, state(to, 2) = g.y, state(to, 3) = g.z;
+        });
+  }
+}
+
+KOKKOS_INLINE_FUNCTION Vector3Of<Pack> sum_gradient(const Particles& p, const Neighbors& n, int cluster,
+                                                    const Lanes& lanes) {
+  const Pack zero(Real(0));
+  Vector3Of<Pack> sum{zero, zero, zero};
+  const auto x_i = lanes.load_vector(p.position);
+  const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length);
+  const Pack p_i = lanes.load(p.pressure_state, 0);
+  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
+    const int j = n.neighbor(k);
+    const auto x_ij = x_i - broadcast_vector(p.position, j);
+    const Pack slope = pair_slope(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
+    sum = sum + (Pack(p.volume(j)) * (Pack(p.pressure_state(j, 0)) - p_i) * slope) * x_ij;
+  }
+  return sum;
+}
+
+void find_gradient(const Particles& p, const Neighbors& n) {
+  Kokkos::parallel_for(
+      "pressure_gradient", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
+        const Lanes lanes{n.first(cluster), n.size(cluster)};
+        const auto sum = sum_gradient(p, n, cluster, lanes);
+        for (int lane = 0; lane < lanes.size; ++lane) {
+          const int i = lanes.first + lane;
+          const Vector3 g = multiply(load_tensor(p.correction, i), lane_of(sum, lane));
+          p.pressure_state(i, 1) = g.x, p.pressure_state(i, 2) = g.y, p.pressure_state(i, 3) = g.z;
+        }
+      });
+}
+
+// Pa/s over delta
+KOKKOS_INLINE_FUNCTION Pack sum_diffusion(const Particles& p, const Neighbors& n, int cluster,
+                                          const Lanes& lanes) {
+  Pack sum(Real(0));
+  const auto x_i = lanes.load_vector(p.position);
+  const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length), half(Real(0.5));
+  const Pack p_i = lanes.load(p.pressure_state, 0);
+  const Pack c_i = lanes.load(p.impedance, 0) / lanes.load(p.impedance, 1);
+  const Vector3Of<Pack> g_i{lanes.load(p.pressure_state, 1), lanes.load(p.pressure_state, 2),
+                            lanes.load(p.pressure_state, 3)};
+  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
+    const int j = n.neighbor(k);
+    const auto x_ij = x_i - broadcast_vector(p.position, j);
+    const Pack inverse_h = mean_inverse_h(inverse_h_i, p.smoothing_length(j));
+    const Vector3Of<Pack> g_j{Pack(p.pressure_state(j, 1)), Pack(p.pressure_state(j, 2)),
+                              Pack(p.pressure_state(j, 3))};
+    const Pack beyond_linear = p_i - Pack(p.pressure_state(j, 0)) - half * dot(g_i + g_j, x_ij);
+    const Pack c = c_i + Pack(p.impedance(j, 0) / p.impedance(j, 1)); // twice the mean
+    sum += Pack(p.volume(j)) * (c / inverse_h) * beyond_linear * pair_slope(x_ij, inverse_h);
+  }
+  return sum;
+}
+
+} // namespace
+
+void diffuse_pressure(const Particles& p, const Neighbors& n, const ImagePlanes& planes,
+                      const MaterialTable& materials, const PressureDiffusion& set) {
+  prepare_pressure(p);
+  copy_to_images(p, n, planes);
+  find_gradient(p, n);
+  copy_to_images(p, n, planes);
+  const MaterialPoints points = p.points;
+  Kokkos::parallel_for(
+      "diffuse_pressure", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
+        const Lanes lanes{n.first(cluster), n.size(cluster)};
+        const Pack sum = sum_diffusion(p, n, cluster, lanes);
+        for (int lane = 0; lane < lanes.size; ++lane) {
+          const int i = lanes.first + lane;
+          const Real change = set.coefficient * set.time * lane_of(sum, lane),
+                     before = p.pressure_state(i, 0);
+          for (int d = 0; d < 3; ++d) points.stress(i, d) -= change;
+          // The forces at the end of the step are those of the changed stress: update_stress did not know.
+          const Real rate = trace(symmetric_part(load_tensor(points.velocity_gradient, i)));
+          points.internal_work(i) -= Real(0.5) * p.volume(i) * change * rate * set.step;
+          const Real gained = p.volume(i) * change * (before + Real(0.5) * change) /
+                              materials(points.material(i)).bulk_modulus;
+          points.internal_work(i) += gained;
+          p.hourglass_work(i) -= gained;
+        }
+      });
+}
+
+} // namespace swarf
