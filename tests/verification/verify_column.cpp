@@ -77,8 +77,7 @@ double torsional_frequency() {
   return pi / (2 * length) * speed;
 }
 
-const char* const soft_tension =
-    "the pairing mode of particles in tension is not stopped by an artificial stress of 0.3";
+const char* const soft_tension = "nothing stops the pairing of particles in tension (see the pulled strip)";
 
 } // namespace
 

@@ -136,10 +136,9 @@ Bounce collide(int across) {
   return b;
 }
 
-const char* const soft_tension = "the outer fibres of the bent walls pull apart: in tension particles pair, "
-                                 "which an artificial stress of 0.3 does not "
-                                 "stop in three dimensions (see the pulled "
-                                 "strip): the stretched fibres carry less and the body is too soft";
+const char* const soft_tension =
+    "the outer fibres of the bent walls pull apart: in tension particles pair, which nothing stops (see the "
+    "pulled strip): the stretched fibres carry less and the body is too soft";
 
 struct Case {
   std::string name, parameters;

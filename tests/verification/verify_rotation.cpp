@@ -117,14 +117,14 @@ constexpr double round_off = 360 * 100 * (sizeof(Real) == 8 ? 2.2e-16 : 1.2e-7);
 } // namespace
 
 TEST(Rotation, CarriesStressRound) {
-  for (const bool artificial : {true, false})
+  for (const bool artificial : {false, true})
     for (const Fill fill : {Fill::particles, Fill::hexes, Fill::hybrid}) {
-      if (!artificial && fill != Fill::hybrid) continue;
+      if (artificial && fill != Fill::hybrid) continue;
       Deck deck = block_under_stress(fill);
-      if (!artificial) deck.particles.artificial_stress = 0;
+      if (artificial) deck.particles.artificial_stress = 0.3;
       const std::string name = std::string("2 stressed block turned 360 deg, ") + name_of(fill);
       const std::string parameters = std::string("8 x 8 x 8 cells, 1 deg steps about (1, 2, 3)") +
-                                     (artificial ? "" : ", no artificial stress");
+                                     (artificial ? ", artificial stress 0.3" : "");
       const Carried c = carry_round(deck);
       const auto row = [&](const std::string& what, double value, const std::string& source,
                            const std::string& fault = "") {
@@ -134,8 +134,8 @@ TEST(Rotation, CarriesStressRound) {
       row("largest change of mean, von Mises stress and determinant / stress", c.invariants, "exact: none");
       row("sum of internal forces / sum of magnitudes", c.force, "exact: 0");
       row("sum of moments of internal forces / sum of magnitudes", c.moment, "exact: 0",
-          artificial && fill == Fill::hybrid ? "the artificial stress is no central force: it turns the body "
-                                               "wherever the neighbours have not the symmetry of a cube"
-                                             : "");
+          artificial ? "the artificial stress is no central force: it turns the body "
+                       "wherever the neighbours have not the symmetry of a cube"
+                     : "");
     }
 }
