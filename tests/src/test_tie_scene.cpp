@@ -214,23 +214,12 @@ TEST(TieScene, ConstantAndLinearVelocityPassBothWays) {
     }
 }
 
-// All nine slopes. Where the deepest layer of tied particles ends free their few, light neighbours do not
-// span space: the bound of the correction (test_velocity_gradient) acts there, on a sixth of a cell each.
+// All nine slopes, also where the deepest layer of tied particles ends free and their neighbours are few and
+// light: a sixth of a cell each.
 TEST(TieScene, LinearVelocityPassesBetweenFreeSides) {
   Step s = prepare(free_layers());
   const auto errors = gradient_errors(s, 3, {1, 2, -3, 4, -5, 6, -7, 8, 9});
-  const auto x = host_copy(s.scene.particles.position);
-  int bounded = 0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (errors[i] < gradient_round_off * round_off) continue;
-    ++bounded;
-    double to_side = 1;
-    for (int d = 0; d < 2; ++d)
-      to_side = std::min({to_side, double(x(i, d)) / spacing, 9 - double(x(i, d)) / spacing});
-    EXPECT_LT(to_side, 0.6) << i;
-    EXPECT_LT(x(i, 2), -2 * spacing) << i;
-  }
-  EXPECT_EQ(bounded, 32); // the rim of 9 x 9
+  EXPECT_LT(*std::max_element(errors.begin(), errors.end()), gradient_round_off * round_off);
 }
 
 // A constant stress over both bodies: inner particles and nodes of either side are in balance. What is left

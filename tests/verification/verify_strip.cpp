@@ -145,20 +145,21 @@ double critical_artificial_stress(double h, double stretch, int exponent) {
 TEST(Strip, StretchesEvenly) {
   const char* const pairing =
       "layers across the pull move together in pairs: the velocity gradient does not see it and tension "
-      "drives it; an artificial stress of 0.3 is too weak, see 'artificial stress that holds'";
+      "drives it; an artificial stress of 0.3 only delays it, see 'artificial stress that holds'";
   const std::string source = "exact: logarithmic strain, plane strain: E / (1 - nu^2) ln(stretch)";
   for (const std::string fill : {"hexes", "particles"}) {
     const std::string name = "4 pulled strip, " + fill, torn = fill == "particles" ? pairing : "";
     for (const auto& [strain, artificial] :
-         {std::pair(0.02, 0.0), std::pair(0.2, 0.0), std::pair(0.2, 0.3)}) {
+         {std::pair(0.02, 0.0), std::pair(0.2, 0.0), std::pair(0.02, 0.3), std::pair(0.2, 0.3)}) {
       if (fill == "hexes" && artificial > 0) continue;
       const Pulled p = pull(fill, strain, 0, artificial);
-      const std::string fault = strain > 0.1 ? torn : ""; // at 2 % it has not had the time
+      const std::string fault = strain > 0.1 ? torn : "", // at 2 % it has not had the time, but begins
+          begun = artificial > 0 ? fault : torn;
       const std::string parameters = "40 x 10 cells, pulled by " +
                                      std::to_string(int(std::lround(100 * strain))) + " %" +
                                      (artificial > 0 ? ", artificial stress 0.3" : "");
       report({name, "axial stress in the middle", parameters, p.reference, "Pa", source, p.stress,
-              relative_error(p.stress, p.reference), 0.02, false, fault});
+              relative_error(p.stress, p.reference), 0.02, false, begun});
       // Elastic waves of the start bend it by less than a hundredth of a spacing.
       report({name, "distance from an even stretch / spacing", parameters, 0, "", "exact: 0",
               p.middle.residual / a, p.middle.residual / a, 0.01, true, fault});
