@@ -20,6 +20,15 @@ Deck column(const std::string& fill, int across) {
   return deck;
 }
 
+// Twice the column, held nowhere: its middle is a plane of symmetry where it may warp, as in Saint-Venant's
+// torsion.
+Deck free_column(int across) {
+  Deck deck = column("hexes", across);
+  deck.bodies[0].faces.clear();
+  deck.bodies[0].origin[2] = -length, deck.bodies[0].size[2] = 2 * length;
+  return deck;
+}
+
 struct Twist {
   std::vector<double> time, angle; // of the top, s, rad
   double largest = 0, back = 0;    // rad; when the top passes its first place, s
@@ -33,7 +42,8 @@ Twist twist(const Deck& deck, double omega, double end) {
   Simulation simulation(deck);
   const Scene& scene = simulation.scene();
   set_velocity(scene, [&](const Triple& x) {
-    const double rate = x[2] > 0 ? omega * std::sin(pi * x[2] / (2 * length)) : 0;
+    const double rate =
+        x[2] > 0 || deck.bodies[0].faces.empty() ? omega * std::sin(pi * x[2] / (2 * length)) : 0;
     return Triple{-rate * x[1], rate * x[0], 0};
   });
   simulation.start();
@@ -43,17 +53,19 @@ Twist twist(const Deck& deck, double omega, double end) {
     at_top.resize(std::max(at_top.size(), std::size_t(p.name) + 1));
     at_top[std::size_t(p.name)] = double(p.x.z) > 0.95 * length;
   }
-  double last = 0, angle = 0;
-  const auto look = [&] {
+  const auto rate_of_top = [&] {
     double spin = 0, inertia = 0;
-    const double t = simulation.time();
     for (const auto& [name, m, x, v, f] : point_masses(scene)) {
       if (!at_top[std::size_t(name)]) continue;
       spin += m * double(x.x * v.y - x.y * v.x), inertia += m * double(x.x * x.x + x.y * x.y);
     }
-    const double next = angle + (t - last) * spin / inertia;
+    return spin / inertia;
+  };
+  double last = 0, angle = 0, rate = rate_of_top();
+  const auto look = [&] {
+    const double t = simulation.time(), now = rate_of_top(), next = angle + (t - last) * (rate + now) / 2;
     if (w.back == 0 && angle > 0 && next <= 0) w.back = last + (t - last) * angle / (angle - next);
-    angle = next, last = t;
+    angle = next, last = t, rate = now;
     w.largest = std::max(w.largest, angle);
     w.time.push_back(t), w.angle.push_back(angle);
   };
@@ -77,6 +89,10 @@ double torsional_frequency() {
   return pi / (2 * length) * speed;
 }
 
+// Measured: 1.5, 0.93 and 0.46 % at the step, a half and a quarter of it; 0.26 % without bulk viscosity.
+const char* const viscous_work = "the work of the bulk viscosity of hexes is summed with the pressure of one "
+                                 "end of the step only: an error "
+                                 "of first order in dt, large where hexes are crushed";
 const char* const soft_tension = "nothing stops the pairing of particles in tension (see the pulled strip)";
 
 } // namespace
@@ -90,17 +106,24 @@ TEST(Column, TwistsBackInTime) {
     std::array<double, 3> size{}, error{};
     Twist w;
     const int across[3] = {4, 6, 10};
+    const auto stiffness_error = [&](const Deck& deck) {
+      w = twist(deck, omega, half_period * 1.3);
+      return std::abs(std::pow(half_period / w.back, 2) - 1);
+    };
+    // The clamp adds 0.7 % to the stiffness, a quarter of the error of ten hexes: their order shows without it.
     for (std::size_t k = 0; k < 3; ++k) {
-      w = twist(column(fill, across[k]), omega, half_period * 1.3);
-      size[k] = width / across[k], error[k] = std::abs(std::pow(half_period / w.back, 2) - 1);
+      size[k] = width / across[k];
+      error[k] = stiffness_error(hexes ? free_column(across[k]) : column(fill, across[k]));
     }
+    if (hexes) w = twist(column(fill, across[2]), omega, half_period * 1.3);
     report({name, "time until the top is back", "10 cells across, 1 rad/s", half_period, "s", source, w.back,
             relative_error(w.back, half_period), 0.05, false,
-            hexes ? "the hourglass stiffness is a tenth of lambda + 2 mu, which at nu = 0.45 is 11 mu: too "
-                    "stiff where a hex twists (0.02 of it: 1.5 % off with 6 cells, 0.1: 12.7 %)"
+            hexes ? ""
                   : "the gradient is exact for linear fields only, which at the surfaces, where the shear is "
-                    "largest, leaves an error of first order (6 cells: 13 %); artificial stress adds 2.7 %"});
-    report_order(name, "torsional stiffness", "4, 6, 10 cells across", size, error, hexes ? 2 : 1, 0.3,
+                    "largest, leaves an error of first order"});
+    report_order(name, "torsional stiffness",
+                 hexes ? "4, 6, 10 cells across, 12 m long, not clamped" : "4, 6, 10 cells across", size,
+                 error, hexes ? 2 : 1, 0.3,
                  hexes ? "trilinear hexes: 2" : "gradient exact for linear fields, with free surfaces: 1");
   }
 }
@@ -122,6 +145,9 @@ TEST(Column, StaysWhole) {
       if (w.reached >= end)
         report({name, "energy residual / kinetic energy at the start", parameters, 0, "",
                 "exact: 0; central differences at Courant number 0.3: within 1 %", w.residual,
-                std::abs(w.residual), 0.01, true, torn ? soft_tension : ""});
+                std::abs(w.residual), 0.01, true,
+                torn          ? soft_tension
+                : omega > 200 ? viscous_work
+                              : ""});
     }
 }
