@@ -110,7 +110,7 @@ TEST(Column, TwistsBackInTime) {
       w = twist(deck, omega, half_period * 1.3);
       return std::abs(std::pow(half_period / w.back, 2) - 1);
     };
-    // The clamp adds 0.7 % to the stiffness, a quarter of the error of ten hexes: their order shows without it.
+    // The clamp adds 0.7 % to the stiffness, a quarter of the error of ten hexes: their order shows without.
     for (std::size_t k = 0; k < 3; ++k) {
       size[k] = width / across[k];
       error[k] = stiffness_error(hexes ? free_column(across[k]) : column(fill, across[k]));
