@@ -33,7 +33,7 @@ Deck plate(const std::string& fill, int n) {
 struct Spin {
   Series extent; // root mean square distance from the axis, over that at the start, over time
   double angular = 0, residual = 0; // changes: of the angular momentum; of the energy, over the kinetic one
-  double widening = 0;              // first maximum of extent - 1
+  double widening = 0, largest = 0; // maximum of extent - 1: the first; over the whole turn
   int parts = 0;
 };
 
@@ -56,11 +56,17 @@ Spin spin(const Deck& deck, double end) {
   s.angular = double(angular_momentum(scene).z) / first - 1;
   s.residual = simulation.sample().residual / simulation.initial_kinetic();
   if (scene.particles.count > 0) s.parts = count_parts(scene.particles, 1.6 * *deck.bodies[0].spacing);
-  for (std::size_t k = 0; k < s.extent.x.size() && s.extent.x[k] < turn / 20; ++k)
-    s.widening = std::max(s.widening, s.extent.y[k] - 1);
+  for (std::size_t k = 0; k < s.extent.x.size(); ++k) {
+    s.largest = std::max(s.largest, s.extent.y[k] - 1);
+    if (s.extent.x[k] < turn / 20) s.widening = s.largest;
+  }
   return s;
 }
 
+const char* const diffusion =
+    "particles.pressure_diffusion lets the plate of particles grow from 0.7 turns on: 0.0057 without it, "
+    "0.0100 "
+    "with 0.001, 0.0247 with 0.003; not so with an artificial stress of 0.3. Why is not known";
 const char* const soft =
     "the artificial stress takes back 9 % of a tension (0.3 times the share 0.30 that the nearest "
     "neighbours have in a stress at h = 1.2 spacings), whatever the spacing";
@@ -101,6 +107,10 @@ TEST(SpinningPlate, KeepsItsAngularMomentumAndBreathes) {
       report({name, "first widening", parameters, reference.widening, "",
               "hexes, 40 cells across; 20 and 40 differ by 1 %", s.widening,
               relative_error(s.widening, reference.widening), 0.05, false, artificial ? soft : ""});
+      // The modes of the square beat: late maxima depend on their phases.
+      report({name, "largest widening of the turn", parameters, reference.largest, "",
+              "hexes, 40 cells across", s.largest, relative_error(s.largest, reference.largest), 0.1, false,
+              !artificial && fill != "hexes" ? diffusion : ""});
       if (fill != "hexes")
         report({name, "parts", parameters, 1, "", "the plate stays whole", double(s.parts),
                 std::abs(s.parts - 1.0), 0, true});
