@@ -8,14 +8,13 @@ namespace swarf {
 InnerSurface previous_tooth_surface(const ToolDeck& tool, const Triple& origin) {
   const Point feed =
       Point(tool.feed_direction[0], tool.feed_direction[1], tool.feed_direction[2]).normalized();
-  const Point left = Point::UnitZ().cross(feed); // immersion 0; the teeth turn clockwise from it to the feed
   const Point start(tool.position[0], tool.position[1], tool.position[2]);
   const Point axis(origin[0], origin[1], origin[2]);
   const double R = 0.5 * tool.diameter, pitch = 2 * std::numbers::pi / tool.flutes;
   return [=](double angle, double z) {
     const Point e(std::cos(angle), std::sin(angle), 0);
     const double lag = (z - start.z()) * std::tan(tool.helix) / R; // higher up, the edge comes later
-    double immersion = std::atan2(e.dot(feed), e.dot(left)), radius = R;
+    double immersion = std::atan2(e.x(), e.y()), radius = R;       // clockwise from +y, as start_angle
     // The centre moves by a feed per tooth while the immersion grows by a pitch, so each pass gains a factor
     // of feed / (pitch R), below 1e-2.
     for (int pass = 0; pass < 12; ++pass) {
@@ -26,7 +25,7 @@ InnerSurface previous_tooth_surface(const ToolDeck& tool, const Triple& origin) 
       const double along = centre.dot(e);
       radius = along + std::sqrt(R * R - centre.squaredNorm() + along * along);
       const Point arm = radius * e - centre;
-      immersion = std::atan2(arm.dot(feed), arm.dot(left));
+      immersion = std::atan2(arm.x(), arm.y());
     }
     return radius;
   };

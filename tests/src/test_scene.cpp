@@ -82,7 +82,7 @@ TEST(Scene, PreviousToothLeavesChipOfFeedSinPhi) {
   ToolDeck tool = paper_mill();
   for (const double turned : {0.0, 37.0}) {
     tool.feed_direction = {std::cos(turned * degree), std::sin(turned * degree), 0};
-    tool.start_angle = 0;
+    tool.start_angle = -turned * degree; // immersion is clockwise from +y: the tooth is left of the feed
     const InnerSurface before = previous_tooth_surface(tool, {0, 0, 0});
     for (double phi = 5; phi < 180; phi += 10) {
       // The tooth's tip at the time of this immersion, and the ray from there to the surface left before.
