@@ -1,12 +1,9 @@
 // A deck without a fault, which tests of faults edit, and its way to read_deck.
 #pragma once
 #include "src/deck.hpp"
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
+#include "tests/support/temporary_folder.hpp"
 #include <stdexcept>
 #include <string>
-#include <unistd.h>
 
 namespace swarf::test {
 
@@ -87,23 +84,8 @@ inline std::string edit_deck(const std::string& from, const std::string& to,
   return text.replace(at, from.size(), to);
 }
 
-// A folder that goes when the test ends.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "swarf-deck-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make " + name);
-    path = name;
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name, std::ios::binary) << text;
-    return (path / name).string();
-  }
-  std::filesystem::path path;
-};
-
-inline Deck read_text(const std::string& text) { return read_deck(Folder().write("deck.toml", text)); }
+inline Deck read_text(const std::string& text) {
+  return read_deck(TemporaryFolder().write("deck.toml", text));
+}
 
 } // namespace swarf::test

@@ -32,7 +32,7 @@ std::string find_line(const DeckFault& fault, const std::string& text) {
 }
 
 std::string read_fault(const std::string& text) {
-  Folder folder;
+  TemporaryFolder folder;
   try {
     read_deck(folder.write("faulty.toml", text));
   } catch (const DeckError& error) {
@@ -290,7 +290,7 @@ TEST(DeckFaultsOfBodies, whole_ring_has_no_start) {
 }
 
 TEST(DeckFaultsOfFiles, deck_is_missing_or_a_folder) {
-  Folder folder;
+  TemporaryFolder folder;
   const auto read = [](const std::string& file) -> std::string {
     try {
       read_deck(file);

@@ -24,7 +24,7 @@ std::string fault_after(const std::vector<std::pair<std::string, std::string>>& 
   std::string text =
       edit_deck("outer = \"fixed\"", "outer = \"fixed\"\nbottom = \"periodic\"\ntop = \"periodic\"");
   for (const auto& [from, to] : edits) text = edit_deck(from, to, text);
-  const Folder folder;
+  const TemporaryFolder folder;
   return fault_of(read_deck(folder.write("faulty.toml", text)));
 }
 

@@ -129,7 +129,7 @@ TEST(deck, resolved_deck_keeps_every_bit_of_every_kind_of_value) {
 }
 
 TEST(deck, tools_and_sphere_read_back_the_same) {
-  Folder folder;
+  TemporaryFolder folder;
   folder.write("tool.stl", "solid\nendsolid\n");
   const std::string head = R"([material.m]
 law = "elastic"
