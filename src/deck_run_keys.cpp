@@ -41,7 +41,7 @@ const Keys<ParticlesDeck>& particles_keys() {
        "share of a tension that is taken back between close pairs (Gray, Monaghan & Swift 2001); 0: off"},
       {"artificial_stress_exponent", &P::artificial_stress_exponent, D::none, Range{1, 10}, "4.0", always,
        "power of W(r) / W(spacing) in it"},
-      {"pressure_diffusion", &P::pressure_diffusion, D::none, Range{0, 1}, "0.003", always,
+      {"pressure_diffusion", &P::pressure_diffusion, D::none, Range{0, 1}, "0.0", always,
        "of pressures that alternate between neighbours, share of wave speed * h (Antuono et al. 2010); 0: "
        "off"},
       {"skin", &P::skin, D::none, Range{0, 1, true, false}, "0.1", always,
