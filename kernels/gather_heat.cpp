@@ -8,18 +8,22 @@
 namespace swarf {
 namespace {
 
+// sum_a N_a T_a at tied particle k.
+SWARF_FN Real host_temperature(const Tie& tie, const HexMesh& m, int k) {
+  Real sum = 0;
+  for (int a = 0; a < 8; ++a) sum += tie.shape(k, a) * m.nodal_temperature(m.connectivity(tie.host(k), a));
+  return sum;
+}
+
 // Adds what has heated tied particle k itself since the last call.
 void take_own_heat(const Tie& tie, const Particles& p, const HexMesh& m, const MaterialTable& materials) {
   const int first = p.count;
   const MaterialPoints points = p.points;
   Kokkos::parallel_for(
       "take_own_heat", Range(0, tie.count), KOKKOS_LAMBDA(int k) {
-        Real hosts = 0;
-        for (int a = 0; a < 8; ++a)
-          hosts += tie.shape(k, a) * m.nodal_temperature(m.connectivity(tie.host(k), a));
         const int i = first + k;
-        p.heat(i) +=
-            heat_capacity(materials(points.material(i)), points.mass(i)) * (points.temperature(i) - hosts);
+        p.heat(i) += heat_capacity(materials(points.material(i)), points.mass(i)) *
+                     (points.temperature(i) - host_temperature(tie, m, k));
       });
 }
 
@@ -65,12 +69,8 @@ void spread_temperature(const Tie& tie, const Particles& p, const HexMesh& m) {
   const int first = p.count;
   const ScalarField temperature = p.points.temperature;
   Kokkos::parallel_for(
-      "spread_to_tied", Range(0, tie.count), KOKKOS_LAMBDA(int k) {
-        Real sum = 0;
-        for (int a = 0; a < 8; ++a)
-          sum += tie.shape(k, a) * m.nodal_temperature(m.connectivity(tie.host(k), a));
-        temperature(first + k) = sum;
-      });
+      "spread_to_tied", Range(0, tie.count),
+      KOKKOS_LAMBDA(int k) { temperature(first + k) = host_temperature(tie, m, k); });
 }
 
 } // namespace swarf
