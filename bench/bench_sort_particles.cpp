@@ -1,0 +1,21 @@
+// No arithmetic: every field is gathered into a copy and copied back, so it is read twice and written twice.
+// The particles are in order already, as they almost are in a run.
+#include "bench/support/particle_cube.hpp"
+
+namespace swarf::bench {
+namespace {
+
+void bench_sort_particles(benchmark::State& state) {
+  const ParticleCube& c = particle_cube(state.range(0));
+  Particles particles = c.particles;
+  double bytes = 0;
+  particles.for_each_field([&](const char*, auto& field) {
+    bytes += double(field.size()) * sizeof(typename std::decay_t<decltype(field)>::value_type);
+  });
+  for (auto _ : state) sort_particles(particles, c.neighbors.cutoff / 4);
+  report(state, c.count(), {0, 4 * bytes / c.count()});
+}
+BENCHMARK(bench_sort_particles)->Name("sort_particles")->Apply(all_sizes);
+
+} // namespace
+} // namespace swarf::bench

@@ -1,0 +1,16 @@
+// A pair: geometry 24, v_ji 3, V grad W 4, L 18, A 12: 61. A particle: K = A^-1 and its blend 119, L K 45,
+// 1/h 1. Reals: position 3, velocity 3, volume, smoothing_length in; velocity_gradient 9, correction 9 out.
+#include "bench/support/particle_cube.hpp"
+
+namespace swarf::bench {
+namespace {
+
+void bench_velocity_gradient(benchmark::State& state) {
+  const ParticleCube& c = particle_cube(state.range(0));
+  for (auto _ : state) velocity_gradient(c.particles, c.neighbors, c.method);
+  report(state, c.count(), c.pair_cost(geometry_flops + 37, 165, 26));
+}
+BENCHMARK(bench_velocity_gradient)->Name("velocity_gradient")->Apply(all_sizes);
+
+} // namespace
+} // namespace swarf::bench
