@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""docs/speed.md and docs/roofline.*: all from bench/results.json, but for the peers' figures (peers.py)."""
+import peers
+import roofline
+from results import DOCS, Results
+
+HEAD = """# Speed
+
+Made by `bench/run`; every number of ours is from `bench/results.json`. Commit {commit}, {date}; {processor}, {cores}
+cores, {rounds} rounds. Times are medians of the rounds (sizes of a million: one round), "best" the fastest round,
+ratios are taken within a round.
+
+**How quiet the machine was:** load average {first:.1f} at the start, median {median:.1f}, most {most:.1f} on {cores}
+cores; a process of one thread got {share:.0f} % of a core (median of all rows). Alone, the load is at most the number of
+threads and the share 100 %; otherwise the rates below are too low, those on two threads most.
+
+Ceilings, best of the rounds, double: {ceilings}.
+"""
+
+STEP_TEXT = """
+## The whole step
+
+Settings of `inputs/orthogonal_cutting.toml` (its stabilisers, conduction, contact), bodies scaled to the size; from one
+rebuild of the neighbour lists to the next, checks and samples included. M/s: million particle-, or hex-, steps a
+second. Best: the fastest round.
+"""
+
+KERNEL_TEXT = """
+## Kernels
+
+Operations and bytes are counted from the equations (the count stands at the head of each `bench/bench_*.cpp`): of
+pairs within the support; the lanes compute more, because a list is shared by the {width} particles of a cluster and has a
+skin. Bytes: each field once. Share: of this machine's fused multiply-adds (in brackets with all that the lanes
+compute) and of its triad, same round and threads.
+
+![Roofline](roofline.png)
+"""
+
+PEER_TEXT = """
+## Peers
+
+Ours: the whole step as above, 56 neighbours inside. A step costs nearly in proportion to neighbours, so their product
+with the particle-steps compares codes better.
+"""
+
+
+def rate(row):
+    return f"{1e-6 / row['seconds_per_item']:.2f}" if row else "-"
+
+
+def spaced(size):
+    return f"{size:,}".replace(",", " ")
+
+
+def head(results):
+    everything = results.all
+    load = everything["load_average"]
+    shares = sorted(row["core_share"] for row in everything["rows"] if "core_share" in row)
+    ceilings = "; ".join("{:.1f} GFLOP/s, {:.1f} GB/s on {} thread{}".format(
+        *(value / 1e9 for value in results.ceiling(threads)), threads, "s" if threads > 1 else "") for threads in (1, 2))
+    return HEAD.format(**everything, **load, share=100 * shares[len(shares) // 2], ceilings=ceilings)
+
+
+def step_rows(results):
+    yield "| scene | size | bits | M/s, 1 thread | best | M/s, 2 threads | best | 2 over 1 thread |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for name in results.names(step=True):
+        for size in results.sizes():
+            for bits in (64, 32):
+                one, two = (results.get(name, size, threads, bits) for threads in (1, 2))
+                if not one or not two:
+                    continue
+                yield (f"| {name[6:]} | {spaced(size)} | {bits} | {rate(one)} | {1e-6 / one['best']:.2f} | {rate(two)} "
+                       f"| {1e-6 / two['best']:.2f} | {results.ratio(one, two):.2f} |")
+
+
+def phase_rows(results, size):
+    names = results.names(step=True)
+    rows = {name: results.get(name, size, 1) for name in names}
+    phases = sorted({phase for row in rows.values() for phase in row["phases"]},
+                    key=lambda phase: -max(row["phases"].get(phase, 0) for row in rows.values()))
+    yield f"\nWhere the time goes: ns per item and step, one thread, {spaced(size)} items, double.\n"
+    yield "| phase | " + " | ".join(name[6:] for name in names) + " |"
+    yield "|---|" + "---|" * len(names)
+    for phase in phases:
+        yield f"| {phase} | " + " | ".join(f"{1e9 * rows[name]['phases'].get(phase, 0):.1f}" for name in names) + " |"
+
+
+def kernel_rows(results):
+    yield ("| kernel | size | flop | byte | M/s, 1 thread | M/s, 2 threads | 2 over 1 | GFLOP/s, 2 threads | GB/s "
+           "| share of FMA | share of triad |")
+    yield "|" + "---|" * 11
+    for name in results.names(step=False):
+        for size in results.sizes():
+            one, two = (results.get(name, size, threads) for threads in (1, 2))
+            if not one or not two:
+                continue
+            flops, lanes = results.share(two, "flops"), results.share(two, "lane_flops")
+            more = f" ({100 * lanes:.0f} %)" if lanes > 1.001 * flops else ""
+            yield (f"| {name} | {spaced(size)} | {one['flops_per_item']:.0f} | {one['bytes_per_item']:.0f} "
+                   f"| {rate(one)} | {rate(two)} | {results.ratio(one, two):.2f} "
+                   f"| {two['flops_per_item'] / two['seconds_per_item'] / 1e9:.1f} "
+                   f"| {two['bytes_per_item'] / two['seconds_per_item'] / 1e9:.1f} "
+                   f"| {100 * flops:.1f} %{more} | {100 * results.share(two, 'bytes'):.0f} % |")
+
+
+def list_line(results, size):
+    row = results.get("find_neighbors", size, 1)
+    return (f"\nLists at {spaced(size)} particles: {row['pairs_per_item']:.1f} neighbours within the support, "
+            f"{row['lane_pairs_per_item']:.0f} pairs in lanes: {100 * row['pairs_per_item'] / row['lane_pairs_per_item']:.0f}"
+            " % of the lanes' work counts.\n")
+
+
+def peer_rows(results, size):
+    yield "| code, case | elements | neighbours | M/s, 1 core | M/s, 2 cores | source |"
+    yield "|---|---|---|---|---|---|"
+    pairs = results.get("find_neighbors", size, 1)["pairs_per_item"]
+    for name in results.names(step=True):
+        one, two = (results.get(name, size, threads) for threads in (1, 2))
+        neighbours = "-" if name == "step, hexes" else f"{pairs:.0f}"
+        yield (f"| **swarf**, {name[6:]} | {spaced(int(one['items']))} | {neighbours} | {rate(one)} | {rate(two)} "
+               "| this page |")
+    for code, elements, neighbours, one, two in peers.MEASURED:
+        yield f"| {code} | {spaced(elements)} | {neighbours} | {one} | {two} | [1] |"
+    yield f"\n[1] {peers.HERE_SOURCE}.\n\nPublished by their authors, on other machines:\n"
+    for code, figure in peers.PUBLISHED:
+        yield f"- {code}: {figure}."
+
+
+def main():
+    results = Results()
+    size = 100_000 if 100_000 in results.sizes() else results.sizes()[-1]
+    roofline.draw(results, size)
+    lines = [head(results), STEP_TEXT, *step_rows(results), *phase_rows(results, size),
+             KERNEL_TEXT.format(width=8), list_line(results, size), *kernel_rows(results), PEER_TEXT,
+             *peer_rows(results, size)]
+    (DOCS / "speed.md").write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()
