@@ -127,7 +127,7 @@ void find_neighbors(Neighbors& n, const Particles& p) {
   if (long(n.neighbor.extent(0)) < total)
     n.neighbor = IndexField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbor"), total + total / 16);
   walk(n, s, true);
-  const int rows = p.count + p.tied;
+  const int rows = p.total;
   if (int(n.build_position.extent(0)) < rows) n.build_position = VectorField("build_position", rows);
   const auto from = p.position, to = n.build_position;
   Kokkos::parallel_for(

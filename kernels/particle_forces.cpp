@@ -4,8 +4,10 @@
 // R: artificial stress of Gray, Monaghan & Swift (2001), f_ij = W_ij / W(spacing).
 // q: Monaghan (1992) viscosity, q = -alpha Z mu + beta rho mu^2 for approaching pairs, rho and Z = rho c of
 // the scaled mass. Reconstructed: mu from v_ij - (D_i + D_j) x_ij / 2, which a linear velocity field makes
-// zero (Frontiere, Raskin & Owen 2017), so that steady shear feels no viscosity. Reads what
-// prepare_pair_state wrote. Writes force, rows [0, count + tied); adds viscous_work.
+// zero (Frontiere, Raskin & Owen 2017), so that steady shear feels no viscosity. In the initial frame grad W
+// is that of X_ij (reference_gradient.cpp), and q acts along the line x_ij with its slope, so that it takes
+// energy however the body has turned. Reads what prepare_pair_state wrote. Writes force, rows [0, count +
+// tied); adds viscous_work.
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
@@ -20,7 +22,7 @@ struct ForceSums {
 };
 
 struct Cluster {
-  Vector3Of<Pack> x, v;
+  Vector3Of<Pack> x, X, v;
   Symmetric3Of<Pack> D, R;
   Pack inverse_h, impedance, density;
 };
@@ -54,19 +56,22 @@ KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const Particle
   return power;
 }
 
-template <bool artificial>
-KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const Particles& p, int j,
-                                          const ParticleMethod& m) {
+template <bool artificial, bool initial>
+KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const Particles& p,
+                                          const Neighbors& n, int j, const ParticleMethod& m) {
   const auto x_ij = i.x - broadcast_vector(p.position, j);
   const auto v_ij = i.v - broadcast_vector(p.velocity, j);
   const Pack inverse_h = mean_inverse_h(i.inverse_h, p.smoothing_length(j));
-  const auto grad = (Pack(p.volume(j)) * pair_slope(x_ij, inverse_h)) * x_ij;
+  auto X_ij = x_ij;
+  if constexpr (initial) X_ij = i.X - broadcast_vector(n.build_position, j);
+  const Pack slope = Pack(p.volume(j)) * pair_slope(X_ij, inverse_h);
+  const auto grad = slope * X_ij, line = slope * x_ij;
   const Pack xv = dot(x_ij, v_ij);
   const PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
   s.gradient = s.gradient + grad;
   s.neighbor_stress =
-      s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - (q.shock + q.hourglass) * grad;
-  const Pack rate = dot(grad, v_ij);
+      s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - (q.shock + q.hourglass) * line;
+  const Pack rate = dot(line, v_ij);
   s.viscous_power += q.shock * rate;
   s.hourglass_power += q.hourglass * rate;
   if constexpr (artificial) {
@@ -77,12 +82,13 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
   }
 }
 
-template <bool artificial>
+template <bool artificial, bool initial>
 KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& n, int cluster,
                                            const Lanes& lanes, const ParticleMethod& m) {
   const Pack zero(Real(0));
   ForceSums s{{zero, zero, zero}, {zero, zero, zero}, zero, zero};
   const Cluster i{.x = lanes.load_vector(p.position),
+                  .X = lanes.load_vector(initial ? n.build_position : p.position),
                   .v = lanes.load_vector(p.velocity),
                   .D = lanes.load_symmetric(p.strain_rate),
                   .R = lanes.load_symmetric(p.artificial_stress),
@@ -90,16 +96,16 @@ KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& 
                   .impedance = lanes.load(p.impedance, 0),
                   .density = lanes.load(p.impedance, 1)};
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k)
-    add_pair<artificial>(s, i, p, n.neighbor(k), m);
+    add_pair<artificial, initial>(s, i, p, n, n.neighbor(k), m);
   return s;
 }
 
-template <bool artificial>
+template <bool artificial, bool initial>
 void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Real dt) {
   Kokkos::parallel_for(
       "particle_forces", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};
-        const ForceSums s = sum_pairs<artificial>(p, n, cluster, lanes, m);
+        const ForceSums s = sum_pairs<artificial, initial>(p, n, cluster, lanes, m);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
           const Vector3 own = multiply(load_tensor(p.pair_stress, i), lane_of(s.gradient, lane));
@@ -113,12 +119,15 @@ void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Rea
 
 } // namespace
 
-// The artificial stress is a template parameter because its sums cost a third of the pass when it is off.
+// The artificial stress is a template parameter because its sums cost a third of the pass when it is off. In
+// the initial frame there is none.
 void particle_forces(const Particles& p, const Neighbors& n, const ParticleMethod& m, Real dt) {
-  if (m.artificial_stress > 0)
-    launch<true>(p, n, m, dt);
+  if (m.initial_frame)
+    launch<false, true>(p, n, m, dt);
+  else if (m.artificial_stress > 0)
+    launch<true, false>(p, n, m, dt);
   else
-    launch<false>(p, n, m, dt);
+    launch<false, false>(p, n, m, dt);
 }
 
 } // namespace swarf

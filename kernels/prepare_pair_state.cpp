@@ -1,6 +1,7 @@
 // What a particle shows its neighbours in the force sum: P = sigma K, D = sym L, R (artificial_stress.hpp)
 // and the impedance of the mass-scaled material. Reads points and correction. Writes rows [0, count + tied);
-// V = m / rho.
+// V = m / rho, or m / rho_0 in the initial frame, where K is J F^-T K_0 and P the first Piola-Kirchhoff
+// stress.
 #include "swarf/artificial_stress.hpp"
 #include "swarf/kernels.hpp"
 
@@ -8,7 +9,7 @@ namespace swarf {
 
 void prepare_pair_state(const Particles& p, const MaterialTable& materials, const ParticleMethod& method) {
   const MaterialPoints points = p.points;
-  const bool correct = method.correct_forces;
+  const bool correct = method.correct_forces, initial = method.initial_frame;
   const Real epsilon = method.artificial_stress, mass_factor = method.mass_factor;
   Kokkos::parallel_for(
       "prepare_pair_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
@@ -22,7 +23,7 @@ void prepare_pair_state(const Particles& p, const MaterialTable& materials, cons
         const Real speed = longitudinal_wave_speed(materials(points.material(i))) / Kokkos::sqrt(mass_factor);
         p.impedance(i, 0) = density * speed;
         p.impedance(i, 1) = density;
-        p.volume(i) = points.mass(i) / points.density(i);
+        p.volume(i) = points.mass(i) / (initial ? materials(points.material(i)).density : points.density(i));
       });
 }
 

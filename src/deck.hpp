@@ -82,6 +82,7 @@ struct ContactDeck {
 };
 
 struct ParticlesDeck {
+  std::string kernel_frame;     // current | initial
   double smoothing_ratio = 1.2; // h / spacing
   std::string smoothing_length; // fixed | evolving
   std::string density;          // continuity | summation

@@ -16,6 +16,9 @@ const std::string required = "required", optional = "optional";
 const Keys<ParticlesDeck>& particles_keys() {
   using P = ParticlesDeck;
   static const Keys<P> keys = {
+      {"kernel_frame", &P::kernel_frame, D::none, Choices{"current", "initial"}, R"("current")", always,
+       "positions that the kernels and the neighbour lists see; initial (total Lagrangian): no tensile "
+       "instability, but who is a neighbour at the start stays one, and no other body is felt but the tool"},
       {"smoothing_ratio", &P::smoothing_ratio, D::none, Range{0.8, 3}, "1.2", always,
        "smoothing length h / spacing; the kernel reaches 2 h"},
       {"smoothing_length", &P::smoothing_length, D::none, Choices{"fixed", "evolving"}, R"("fixed")", always,

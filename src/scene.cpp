@@ -113,7 +113,7 @@ Scene build_scene(const Deck& deck) {
 
   Scene scene;
   const double support = 2 * largest_smoothing_length(deck, bodies);
-  scene.skin = deck.particles.skin * support;
+  scene.skin = deck.particles.kernel_frame == "initial" ? 0 : deck.particles.skin * support; // nobody moves
   scene.cutoff = support + scene.skin;
   for (const FilledBody& b : bodies)
     if (b.has_particles() && (scene.spacing == 0 || b.points.spacing < scene.spacing))

@@ -76,7 +76,10 @@ void Simulation::follow_hexes_and_images() {
 
 void Simulation::update_rates_and_stresses() {
   const Real dt = Real(step_size);
-  velocity_gradient(model.particles, lists, particle_method);
+  if (particle_method.initial_frame)
+    reference_gradient(model.particles, lists);
+  else
+    velocity_gradient(model.particles, lists, particle_method);
   timer.mark("velocity gradient");
   if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles, dt);
   hex_velocity_gradient(model.hexes, hex_status);

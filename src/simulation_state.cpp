@@ -21,6 +21,7 @@ ParticleMethod particle_method_of(const Deck& deck) {
   m.artificial_stress_exponent = int(std::lround(deck.particles.artificial_stress_exponent));
   m.spacing_ratio = Real(1 / deck.particles.smoothing_ratio);
   m.mass_factor = Real(deck.run.mass_factor);
+  m.initial_frame = deck.particles.kernel_frame == "initial";
   return m;
 }
 
@@ -113,8 +114,9 @@ void Simulation::check() {
   if (conducts)
     heat_step = double(std::min(stable_heat_step(model.particles, model.materials),
                                 stable_heat_step(model.hexes, model.materials)));
+  const bool lists_age = model.particles.count > 0 && !particle_method.initial_frame;
   const double room = 0.5 * double(lists.skin) - double(limit.max_displacement);
-  if (model.particles.count > 0 && room < 0) fail(Fault::skin_exceeded, "");
+  if (lists_age && room < 0) fail(Fault::skin_exceeded, "");
   of_particles = sum_particles(model.particles, Real(mass_factor));
   of_hexes = sum_hexes(model.hexes, Real(mass_factor));
   const double speed = double(std::max(of_particles.max_speed, of_hexes.max_speed));
@@ -122,9 +124,8 @@ void Simulation::check() {
   const double reach = 2 * std::max(speed, driving_speed) * step_size;
   const double whole = 0.5 * double(lists.skin);
   long interval = deck.output.history_steps;
-  if (model.particles.count > 0 && reach * interval > 0.5 * whole)
-    interval = std::max(1L, long(0.5 * whole / reach));
-  lists_due = model.particles.count > 0 && room < reach * double(interval);
+  if (lists_age && reach * interval > 0.5 * whole) interval = std::max(1L, long(0.5 * whole / reach));
+  lists_due = lists_age && room < reach * double(interval);
   next_check = steps + interval;
   timer.mark("checks");
 }

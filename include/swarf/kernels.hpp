@@ -23,6 +23,7 @@ struct ParticleMethod {
   int artificial_stress_exponent = 4;
   Real spacing_ratio = 0; // spacing / h of the initial lattice, where the artificial stress is full
   Real mass_factor = 1;
+  bool initial_frame = false; // kernels, lists and volumes of the initial positions: total Lagrangian
 };
 
 struct HexMethod {
@@ -45,7 +46,8 @@ void update_image_state(const Particles&, const Neighbors&, const ImagePlanes&);
 
 // --- particles
 void velocity_gradient(const Particles&, const Neighbors&, const ParticleMethod&); // L_i and K_i
-void sum_density(const Particles&, const Neighbors&, const MaterialTable&);        // density by summation
+void reference_gradient(const Particles&, const Neighbors&);                // the same in the initial frame
+void sum_density(const Particles&, const Neighbors&, const MaterialTable&); // density by summation
 void evolve_smoothing_length(const Particles&, Real dt);
 void prepare_pair_state(const Particles&, const MaterialTable&, const ParticleMethod&);
 void particle_forces(const Particles&, const Neighbors&, const ParticleMethod&, Real dt);

@@ -14,7 +14,7 @@ struct Neighbors {
   IndexField first, size; // [clusters + tied_clusters]
   View<long*> start;      // [clusters + tied_clusters + 1]
   IndexField neighbor;
-  VectorField build_position; // positions when the list was built, rows [0, count + tied)
+  VectorField build_position; // positions when the list was built, of all rows; X of a total Lagrangian sum
   Real cutoff = 0;            // m, support + skin
   Real skin = 0;              // m
 

@@ -196,6 +196,16 @@ const std::vector<DeckFault> faults = {
           {"less than the melt_temperature of ti64"}),
     fault("end_before_start", "\"95 deg\"", "\"60 deg\"", "run.end_immersion",
           {"more than tool.start_angle = 65 deg"}),
+    fault("initial_frame_with_evolving_kernels", "[run]",
+          "[particles]\nkernel_frame = \"initial\"\nsmoothing_length = \"evolving\"\n[run]",
+          "particles.smoothing_length", {"does not go with kernel_frame", "use \"fixed\""},
+          "smoothing_length"),
+    fault("initial_frame_with_artificial_stress", "[run]",
+          "[particles]\nkernel_frame = \"initial\"\nartificial_stress = 0.3\n[run]",
+          "particles.artificial_stress", {"no tensile instability", "use 0"}, "artificial_stress"),
+    fault("initial_frame_without_correction", "[run]",
+          "[particles]\nkernel_frame = \"initial\"\ncorrection = false\n[run]", "particles.correction",
+          {"would be strained"}, "correction ="),
     fault("damage_missing", "[run]", "[hexes]\ndelete_failed = true\n[run]", "hexes.delete_failed",
           {"no material has damage"}, "delete_failed"),
 };
@@ -287,6 +297,13 @@ TEST(DeckFaultsOfBodies, whole_ring_has_no_start) {
   std::string text = edit_deck("start_angle = \"-10 deg\"\nend_angle = \"20 deg\"\nspacing", "spacing");
   text = edit_deck("bottom = \"periodic\"", "start = \"fixed\"\nbottom = \"periodic\"", text);
   expect_fault(text, {"26: body.faces.start: this ring has no such face. It has inner, outer, bottom, top."});
+}
+
+TEST(DeckFaultsOfMethods, initial_frame_conducts_no_heat) {
+  const std::string cold = "[particles]\nkernel_frame = \"initial\"\n[run]";
+  EXPECT_EQ(read_fault(edit_deck("[run]", cold)), "no error");
+  const std::string heated = edit_deck("n = 0.34", "n = 0.34\nconductivity = \"7 W/m/K\"");
+  expect_fault(edit_deck("[run]", cold, heated), {"particles.kernel_frame: \"initial\" conducts no heat"});
 }
 
 TEST(DeckFaultsOfFiles, deck_is_missing_or_a_folder) {

@@ -88,7 +88,8 @@ TEST(Restart, killed_at_random_times) {
   expect_equal(folder / "whole", folder / "killed");
 }
 
-// The options that carry more state: smoothing length, summed density, deleted hexes; dt changes on the way.
+// The options that carry more state: smoothing length, summed density, deleted hexes; dt changes on the
+// way.
 TEST(Restart, killed_with_other_methods) {
   const TemporaryFolder folder;
   const std::string deck = write_deck(
@@ -99,6 +100,17 @@ TEST(Restart, killed_with_other_methods) {
   CheckpointReader(folder / "whole" / "checkpoint.h5").get("hexes/active", active);
   const auto left = host_copy(active);
   EXPECT_GT(std::count(left.data(), left.data() + left.extent(0), 0), 0) << "no hex was deleted";
+  run_with_kills(deck, folder / "killed", whole, 3);
+  expect_equal(folder / "whole", folder / "killed");
+}
+
+// Lists, kernels and volumes of the initial positions, which a restart must find again; no heat flows there.
+TEST(Restart, killed_in_the_initial_frame) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(
+      folder, edit_small_deck({{"conductivity = \"7.2 W/m/K\"\n", ""},
+                               {"\"fixed\"\n[hexes]", "\"fixed\"\nkernel_frame = \"initial\"\n[hexes]"}}));
+  const std::size_t whole = run_whole(deck, folder / "whole");
   run_with_kills(deck, folder / "killed", whole, 3);
   expect_equal(folder / "whole", folder / "killed");
 }

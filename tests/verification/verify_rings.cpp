@@ -143,19 +143,23 @@ const char* const soft_tension =
     "artificial stress of 0.3 only delays (see the pulled strip): the stretched fibres carry less and the "
     "body is too soft";
 
+const char* const soft_bending = "a layer at the surface sees the strain 0.15 to 0.2 spacings further "
+                                 "inside: a wall of n particles is too "
+                                 "soft in bending by 4/n^2, as the oscillating plate shows";
+
 struct Case {
   std::string name, parameters;
   double allowed; // relative: the reference's own 1 %, and what a coarse mesh may add
 };
 
 void report_bounce(const Case& c, const Bounce& ours, const Bounce& reference, int parts, bool faulty,
-                   bool loses_energy = false) {
+                   bool loses_energy = false, const char* late = "") {
   const std::string source = "hexes, finer: ring 6, sphere 4 across the wall; 1 % from the next coarser";
   const char* const fault = faulty ? soft_tension : "";
   report({c.name, "velocity of rebound / of impact", c.parameters, reference.velocity, "", source,
           ours.velocity, relative_error(ours.velocity, reference.velocity), c.allowed, false, fault});
   report({c.name, "time until the mass centre turns", c.parameters, reference.turn, "s", source, ours.turn,
-          relative_error(ours.turn, reference.turn), c.allowed, false, fault});
+          relative_error(ours.turn, reference.turn), c.allowed, false, faulty ? fault : late});
   report({c.name, "energy residual / kinetic energy at the start", c.parameters, 0, "",
           "exact: 0; central differences at Courant number 0.3: within 1 %", ours.residual,
           std::abs(ours.residual), 0.01, true, loses_energy ? fault : ""});
@@ -194,6 +198,15 @@ TEST(Rings, Rebound) {
     curve.series.back().label = label, curve.series.back().reference = b == &reference;
   }
   write_curve(curve);
+}
+
+TEST(Rings, ReboundInTheInitialFrame) {
+  const Bounce reference = bounce(against_wall(ring_of("hexes", 6)), ring_time, 0);
+  Deck deck = against_wall(ring_of("particles", 4));
+  deck.particles.kernel_frame = "initial";
+  const Bounce particles = bounce(deck, ring_time, 0.01 / 4);
+  report_bounce({"4 rubber ring on a wall, particles, total Lagrangian", "4 across, 0.059 c0", 0.05},
+                particles, reference, 1, false, false, soft_bending);
 }
 
 TEST(Spheres, Rebound) {

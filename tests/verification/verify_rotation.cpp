@@ -117,14 +117,17 @@ constexpr double round_off = 360 * 100 * (sizeof(Real) == 8 ? 2.2e-16 : 1.2e-7);
 } // namespace
 
 TEST(Rotation, CarriesStressRound) {
-  for (const bool artificial : {false, true})
+  for (const std::string method : {"", "artificial stress 0.3", "total Lagrangian"})
     for (const Fill fill : {Fill::particles, Fill::hexes, Fill::hybrid}) {
+      const bool artificial = method == "artificial stress 0.3", initial = method == "total Lagrangian";
       if (artificial && fill != Fill::hybrid) continue;
+      if (initial && fill == Fill::hexes) continue;
       Deck deck = block_under_stress(fill);
       if (artificial) deck.particles.artificial_stress = 0.3;
+      if (initial) deck.particles.kernel_frame = "initial";
       const std::string name = std::string("2 stressed block turned 360 deg, ") + name_of(fill);
-      const std::string parameters = std::string("8 x 8 x 8 cells, 1 deg steps about (1, 2, 3)") +
-                                     (artificial ? ", artificial stress 0.3" : "");
+      const std::string parameters =
+          "8 x 8 x 8 cells, 1 deg steps about (1, 2, 3)" + (method.empty() ? "" : ", " + method);
       const Carried c = carry_round(deck);
       const auto row = [&](const std::string& what, double value, const std::string& source,
                            const std::string& fault = "") {

@@ -1,0 +1,25 @@
+// Correction of the kernel's gradient (Randles & Libersky 1996), shared by the gradients of both frames.
+#pragma once
+#include "swarf/tensor.hpp"
+
+namespace swarf {
+
+// K = A^-1 where the neighbours span space well: measured with the mean of A, which their number and volume
+// scale, |K|^2 is 3 inside and 5 at a corner of a lattice. Where they do not (a lone pair, a stretched sheet)
+// K amplifies noise without bound, and goes over to 1, the plain sum.
+KOKKOS_INLINE_FUNCTION Tensor3 correction_from(const Tensor3& A) {
+  const Real det = determinant(A);
+  if (!(det > Real(0))) return identity3();
+  const Tensor3 K = inverse(A, det);
+  const Real* k = &K.xx;
+  const Real mean = (A.xx + A.yy + A.zz) / Real(3);
+  Real norm2 = 0;
+  for (int c = 0; c < 9; ++c) norm2 += mean * mean * k[c] * k[c];
+  const Real share = Kokkos::clamp((Real(200) - norm2) / Real(100), Real(0), Real(1));
+  Tensor3 blend = identity3();
+  Real* b = &blend.xx;
+  for (int c = 0; c < 9; ++c) b[c] += share * (k[c] - b[c]);
+  return blend;
+}
+
+} // namespace swarf
