@@ -47,6 +47,8 @@ const Keys<ParticlesDeck>& particles_keys() {
       {"pressure_diffusion", &P::pressure_diffusion, D::none, Range{0, 1}, "0.0", always,
        "of pressures that alternate between neighbours, share of wave speed * h (Antuono et al. 2010); 0: "
        "off"},
+      {"xsph", &P::xsph, D::none, share, "0.0", always,
+       "share of the neighbours' velocity in the velocity that particles move with (Monaghan 1989); 0: off"},
       {"skin", &P::skin, D::none, Range{0, 1, true, false}, "0.1", always,
        "reach of the neighbour lists beyond the kernel's, over the kernel's; changes the cost only"},
   };

@@ -92,6 +92,8 @@ struct Motion { // a set of points that Newton's law moves: particles or nodes
 };
 void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
 void drift(const Motion&, Real dt);
+// XSPH: the velocity that particles move with; v of their neighbours has the share epsilon in it.
+void smooth_velocity(const Particles&, const Neighbors&, const ConstraintTable&, Real epsilon);
 
 // --- sums and extremes: fixed blocks, so that the sum does not depend on the number of threads
 // Adds the load of this step to sums.total and the tool's work to it; no copy to the host.

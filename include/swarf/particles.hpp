@@ -30,7 +30,8 @@ struct Particles {
   View<Real* [4]> pressure_state;   // p (Pa) and its gradient, for diffuse_pressure; 0 rows without it
   View<Real* [2]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), for the viscosity
 
-  ScalarField heat; // J that conduction brought last, rows [0, count + tied); 0 rows without it
+  VectorField drift_velocity; // m/s, rows [0, count); 0 rows without XSPH
+  ScalarField heat;           // J that conduction brought last, rows [0, count + tied); 0 rows without it
 
   // History that belongs to the particle.
   ScalarField reference_summation; // initial sum of m W (density = "summation", else 0 rows)

@@ -206,6 +206,8 @@ const std::vector<DeckFault> faults = {
     fault("initial_frame_without_correction", "[run]",
           "[particles]\nkernel_frame = \"initial\"\ncorrection = false\n[run]", "particles.correction",
           {"would be strained"}, "correction ="),
+    fault("initial_frame_with_xsph", "[run]", "[particles]\nkernel_frame = \"initial\"\nxsph = 0.5\n[run]",
+          "particles.xsph", {"present neighbours"}, "xsph"),
     fault("damage_missing", "[run]", "[hexes]\ndelete_failed = true\n[run]", "hexes.delete_failed",
           {"no material has damage"}, "delete_failed"),
 };
