@@ -2,31 +2,17 @@
 // thickness ratios. The shipped deck at a spacing that divides all depths; the inertia of all speeds is
 // alike.
 #include "tests/verification/case.hpp"
-#include "tests/verification/drive.hpp"
+#include "tests/verification/orthogonal_cut.hpp"
 #include "tests/verification/read_table.hpp"
 #include <cmath>
 
 using namespace swarf;
 using namespace swarf::test;
+using namespace swarf::test::orthogonal_cut;
 
 namespace {
 
-constexpr double rake = 15 * degree, cut = 250 * um; // length of the cut, of which the second half counts
 constexpr double dx = 20.0 / 3 * um;
-
-Deck orthogonal(double speed, double depth, double friction) {
-  Deck deck = read_deck(std::string(SWARF_SOURCE_DIR) + "/inputs/orthogonal_cutting.toml");
-  BodyDeck &zone = deck.bodies[0], &bulk = deck.bodies[1];
-  zone.size = {60 * dx, 40 * um + depth, 4 * dx}, zone.spacing = dx;
-  bulk.size = {60 * dx, 160 * um, 4 * dx}, bulk.spacing = 2 * dx;
-  deck.tool->velocity = {speed, 0, 0};
-  deck.tool->width = 12 * dx, deck.tool->position[2] = 2 * dx, deck.tool->height = 400 * um;
-  deck.contact.friction = friction;
-  deck.run.end_time = cut / speed;
-  deck.run.mass_factor = 1e4 * std::pow(0.5 / speed, 2);
-  deck.output.force_scale = 1e-3 / (4 * dx);
-  return deck;
-}
 
 struct Cut {
   double cutting = 0, feed = 0, ratio = 0, residual = 0; // N; chip thickness / depth; of the external work
@@ -45,7 +31,7 @@ double chip_ratio(const Scene& scene, double speed, double depth) {
 }
 
 Cut run(double speed, double depth, double friction) {
-  Simulation simulation(orthogonal(speed, depth, friction));
+  Simulation simulation(orthogonal(speed, depth, friction, dx));
   simulation.start();
   simulation.sample();
   Cut mean;

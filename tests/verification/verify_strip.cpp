@@ -2,29 +2,15 @@
 // pass unopposed through a method with one point per particle or hex.
 #include "swarf/smoothing_kernel.hpp"
 #include "tests/verification/case.hpp"
-#include "tests/verification/point_masses.hpp"
+#include "tests/verification/pulled_strip.hpp"
 
 using namespace swarf;
 using namespace swarf::test;
+using namespace swarf::test::pulled_strip;
 
 namespace {
 
-constexpr double E = 1e9, nu = 0.3, density = 1000, a = 1e-3; // spacing
-constexpr int along = 40, across = 10;
-const double wave = std::sqrt(E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / density);
-
-Deck strip(const std::string& fill, double pull) {
-  Deck deck = default_deck();
-  deck.materials[0].density = density, deck.materials[0].youngs_modulus = E;
-  deck.materials[0].poissons_ratio = nu;
-  deck.bodies = {
-      block("strip", fill, {-along * a / 2, -across * a / 2, 0}, {along * a, across * a, 3 * a}, a)};
-  deck.bodies[0].faces = {{"z_min", "periodic", {}},
-                          {"z_max", "periodic", {}},
-                          {"x_min", "velocity", {-pull, 0, 0}},
-                          {"x_max", "velocity", {pull, 0, 0}}};
-  return deck;
-}
+constexpr int along = 40, across = 10; // cells, of strip() as it comes
 
 struct Fit {
   double stretch_x, stretch_y, residual; // of the middle third; residual: rms distance from the linear map, m
