@@ -20,7 +20,7 @@ const std::vector<Formulation>& formulations();
 // What a cell measures, and where the classes end. Stable up to `stable`, failed beyond `failed`, degraded
 // between. All were set before the first run.
 struct Limit {
-  std::string measure, text;
+  std::string measure, shown, text; // `shown` in the picture; with % where the value is a share
   double stable, failed;
   std::string reason;
   bool more_is_better = false;

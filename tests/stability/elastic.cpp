@@ -119,7 +119,8 @@ Outcome shake_strip(const Formulation& f) {
   Watch watch(simulation, a, lattice);
   watch.run(end);
   Outcome o = watch.result();
-  o.measures.back() = {"mode_left", watch.sawtooth * a / (seed * end)};
+  // All energy is in the fastest modes, of which central differences keep (omega dt / 2)^2: no measure here.
+  o.measures = {{"mode_left", watch.sawtooth * a / (seed * end)}};
   return o;
 }
 

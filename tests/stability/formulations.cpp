@@ -27,34 +27,46 @@ void hexes(Deck& deck, const std::string& hourglass, bool deletes) {
   if (deletes) deck.hexes.delete_at_strain = 1;
 }
 
+// The shipped defaults or another base, and one change.
+using Change = std::function<void(ParticlesDeck&)>;
+Formulation changed(const std::string& name, const std::string& text, void (*base)(Deck&),
+                    const Change& change) {
+  return {name, text, "particles", false, true, [=](Deck& d) { base(d), change(d.particles); }};
+}
+
+void defaults(Deck& deck) { deck.particles = shipped_defaults().particles; }
+
+void cutting(Deck& deck) {
+  static const Deck cut = read_deck(std::string(SWARF_SOURCE_DIR) + "/inputs/orthogonal_cutting.toml");
+  deck.particles = cut.particles;
+}
+
 std::vector<Formulation> make() {
-  const std::string p = "particles", h = "hexes";
-  const auto defaults = [](Deck& d) { d.particles = shipped_defaults().particles; };
+  const Change none = [](ParticlesDeck&) {};
+  const Change artificial_stress = [](ParticlesDeck& p) { p.artificial_stress = 0.3; };
+  const Change pressure_diffusion = [](ParticlesDeck& p) { p.pressure_diffusion = 0.003; };
+  const Change hourglass_viscosity = [](ParticlesDeck& p) { p.hourglass_viscosity = 0.3; };
+  const Change reconstructed = [](ParticlesDeck& p) { p.viscosity_form = "reconstructed"; };
+  const std::string stiffness = "hexes, stiffness hourglass control",
+                    viscous = "hexes, viscous hourglass control";
   return {
-      {"plain", "updated Lagrangian: plain sums, Monaghan viscosity", p, false, true, plain},
-      {"corrected", "+ gradient correction, forces its adjoint", p, false, true, corrected},
-      {"reconstructed", "+ correction, reconstructed viscosity", p, false, true,
-       [](Deck& d) { corrected(d), d.particles.viscosity_form = "reconstructed"; }},
-      {"hourglass_viscosity", "+ correction, hourglass viscosity 0.3", p, false, true,
-       [](Deck& d) { corrected(d), d.particles.hourglass_viscosity = 0.3; }},
-      {"artificial_stress", "+ correction, artificial stress 0.3", p, false, true,
-       [](Deck& d) { corrected(d), d.particles.artificial_stress = 0.3; }},
-      {"pressure_diffusion", "+ correction, pressure diffusion 0.003", p, false, true,
-       [](Deck& d) { corrected(d), d.particles.pressure_diffusion = 0.003; }},
-      {"defaults", "shipped defaults", p, false, true, defaults},
-      {"cutting", "the cutting decks", p, false, true,
-       [](Deck& d) {
-         static const Deck deck =
-             read_deck(std::string(SWARF_SOURCE_DIR) + "/inputs/orthogonal_cutting.toml");
-         d.particles = deck.particles;
-       }},
-      {"hexes_stiffness", "hexes, stiffness hourglass control (shipped)", h, false, true,
+      changed("plain", "plain sums, Monaghan viscosity", plain, none),
+      changed("corrected", "corrected gradient, forces its adjoint", corrected, none),
+      changed("artificial_stress", "corrected + artificial stress 0.3", corrected, artificial_stress),
+      changed("pressure_diffusion", "corrected + pressure diffusion 0.003", corrected, pressure_diffusion),
+      changed("hourglass_viscosity", "corrected + hourglass viscosity 0.3", corrected, hourglass_viscosity),
+      changed("reconstructed", "corrected + reconstructed viscosity", corrected, reconstructed),
+      changed("defaults", "shipped defaults", defaults, none),
+      changed("defaults_artificial_stress", "defaults + artificial stress 0.3", defaults, artificial_stress),
+      changed("defaults_pressure_diffusion", "defaults + pressure diffusion 0.003", defaults,
+              pressure_diffusion),
+      changed("cutting", "as the cutting decks", cutting, none),
+      {"hexes_stiffness", stiffness + " (shipped)", "hexes", false, true,
        [](Deck& d) { hexes(d, "stiffness", false); }},
-      {"hexes_viscous", "hexes, viscous hourglass control", h, false, true,
-       [](Deck& d) { hexes(d, "viscous", false); }},
-      {"hexes_stiffness_deleted", "hexes, stiffness, deleted at strain 1", h, true, true,
+      {"hexes_viscous", viscous, "hexes", false, true, [](Deck& d) { hexes(d, "viscous", false); }},
+      {"hexes_stiffness_deleted", stiffness + ", deleted at strain 1", "hexes", true, true,
        [](Deck& d) { hexes(d, "stiffness", true); }},
-      {"hexes_viscous_deleted", "hexes, viscous, deleted at strain 1", h, true, true,
+      {"hexes_viscous_deleted", viscous + ", deleted at strain 1", "hexes", true, true,
        [](Deck& d) { hexes(d, "viscous", true); }},
   };
 }

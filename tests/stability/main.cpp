@@ -73,6 +73,7 @@ void list() {
         json_object({{"name", json(t.name)}, {"title", json(t.title)}, {"text", json(t.text)}}));
   for (const Limit& l : limits())
     measures.push_back(json_object({{"name", json(l.measure)},
+                                    {"shown", json(l.shown)},
                                     {"text", json(l.text)},
                                     {"stable", json(l.stable)},
                                     {"failed", json(l.failed)},

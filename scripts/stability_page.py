@@ -1,0 +1,184 @@
+"""docs/stability.md and its picture, all from the results and the catalogue of the program."""
+import textwrap
+
+import matplotlib
+
+matplotlib.use("Agg")
+matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
+import matplotlib.pyplot as plt
+
+LOOKS = {"stable": ("#e8f1e4", "black"), "degraded": ("#f5c26b", "black"), "failed": ("#8c2d19", "white"),
+         "not run": ("white", "0.5"), "": ("white", "0.6")}
+
+HEAD = """# Stability where methods fail
+
+Made by `scripts/stability`; every number is from `tests/stability/results.jsonl`. Rows are formulations, columns are
+tests that break them. A cell is *stable*, *degraded* or *failed* by the [limits](#limits), which were set before the
+runs; it shows the measure that decides. Failed also means: the run ended before its time.
+"""
+
+
+def number(value):
+    if value is None:
+        return "NaN"
+    if value != 0 and (abs(value) < 1e-3 or abs(value) >= 1e4):
+        return f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
+    return f"{value:.2g}"
+
+
+def shown(limit, value):
+    """In words, for a cell."""
+    text = limit["shown"]
+    if text.endswith("%"):
+        return f"{text[:-2]} {number(None if value is None else 100 * value)} %"
+    return f"{text} {number(value)}"
+
+
+def class_of(limit, value):
+    if value is None:
+        return "failed"
+    sign = -1 if limit["more_is_better"] else 1
+    if sign * value <= sign * limit["stable"]:
+        return "stable"
+    worst = limit["failed"]
+    return "degraded" if worst is None or sign * value <= sign * worst else "failed"
+
+
+class Matrix:
+    def __init__(self, catalogue, results):
+        self.rows, self.tests = catalogue["formulations"], catalogue["tests"]
+        self.limits = {limit["name"]: limit for limit in catalogue["limits"]}
+        self.results = results
+
+    def cell(self, row, test):
+        """Class and text."""
+        if test["name"] not in row["tests"]:
+            return "", "-"
+        result = self.results.get((row["name"], test["name"]))
+        if not result:
+            return "not run", "not run"
+        if result["decisive"]:
+            measure = result["decisive"]
+            return result["class"], shown(self.limits[measure], result["measures"][measure])
+        if result["reached"] is None:
+            return result["class"], "no end"
+        return result["class"], f"ends at {100 * result['reached']:.0f} %"
+
+    def count(self, row, name):
+        return sum(self.cell(row, test)[0] == name for test in self.tests)
+
+
+def draw(matrix, file):
+    rows, tests = matrix.rows, matrix.tests
+    figure, axes = plt.subplots(figsize=(13.6, 1.6 + 0.36 * len(rows)), layout="constrained")
+    for y, row in enumerate(rows):
+        for x, test in enumerate(tests):
+            name, text = matrix.cell(row, test)
+            color, ink = LOOKS[name]
+            axes.add_patch(plt.Rectangle((x, y), 1, 1, facecolor=color, edgecolor="white", linewidth=1.5))
+            axes.text(x + 0.5, y + 0.5, "\n".join(textwrap.wrap(text, 14)), ha="center", va="center", fontsize=6.5,
+                      color=ink, linespacing=0.95)
+    axes.set(xlim=(0, len(tests)), ylim=(len(rows), 0))
+    axes.set_yticks([y + 0.5 for y in range(len(rows))], [row["text"] for row in rows], fontsize=8)
+    axes.set_xticks([x + 0.5 for x in range(len(tests))], ["\n".join(textwrap.wrap(t["title"], 12)) for t in tests],
+                    fontsize=8)
+    axes.xaxis.tick_top()
+    axes.tick_params(length=0)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    handles = [plt.Rectangle((0, 0), 1, 1, facecolor=LOOKS[name][0], edgecolor="0.6") for name in LOOKS if name]
+    names = [name for name in LOOKS if name]
+    axes.legend(handles[:3], names[:3], loc="upper center", bbox_to_anchor=(0.5, -0.005), ncols=3, fontsize=8, frameon=False)
+    for kind in ("png", "svg"):
+        figure.savefig(f"{file}.{kind}", dpi=150, metadata={"Date": None} if kind == "svg" else {"Software": None})
+    plt.close(figure)
+
+
+def matrix_table(matrix):
+    yield "| formulation | " + " | ".join(test["title"] for test in matrix.tests) + " | failed |"
+    yield "|---" * (len(matrix.tests) + 2) + "|"
+    marks = {"failed": "**{}**", "degraded": "*{}*"}
+    for row in matrix.rows:
+        cells = [marks.get(name, "{}").format(text) for name, text in (matrix.cell(row, test) for test in matrix.tests)]
+        yield f"| {row['text']} | " + " | ".join(cells) + f" | {matrix.count(row, 'failed')} |"
+
+
+def test_table(matrix, test):
+    found = [(row, matrix.results[row["name"], test["name"]]) for row in matrix.rows
+             if (row["name"], test["name"]) in matrix.results]
+    measures = list(dict.fromkeys(m for _, result in found for m in result["measures"]))
+    yield f"\n### {test['title'].capitalize()}\n"
+    yield f"{test['text'].capitalize()}.\n"
+    yield "| formulation | class | " + " | ".join(matrix.limits[m]["shown"] for m in measures) + " | steps | seconds |"
+    yield "|---" * (len(measures) + 4) + "|"
+    for row, result in found:
+        values = []
+        for m in measures:
+            if m not in result["measures"]:
+                values.append("-")
+                continue
+            value, limit = result["measures"][m], matrix.limits[m]
+            text = number(100 * value if limit["shown"].endswith("%") and value is not None else value)
+            values.append({"failed": f"**{text}**", "degraded": f"*{text}*"}.get(class_of(limit, value), text))
+        steps = "-" if result["steps"] is None else f"{result['steps']:.0f}"
+        seconds = "-" if result["seconds"] is None else f"{result['seconds']:.1f}"
+        yield f"| {row['text']} | {result['class']} | " + " | ".join(values) + f" | {steps} | {seconds} |"
+    for row, result in found:
+        if result["fault"]:
+            at = "" if result["reached"] is None else f" at {100 * result['reached']:.0f} % of its time"
+            yield f"\n{row['text']}{at}: {result['fault']}"
+
+
+def limit_table(matrix):
+    yield "| measure | what it is | stable up to | failed beyond | why |"
+    yield "|---|---|---|---|---|"
+    for limit in matrix.limits.values():
+        more = " at least" if limit["more_is_better"] else ""
+        failed = "never" if limit["failed"] is None else f"{limit['failed']:g}"
+        yield (f"| {limit['shown'].removesuffix(' %')} | {limit['text']} |{more} {limit['stable']:g} | "
+               f"{'less than ' if more else ''}{failed} | {limit['reason']} |")
+
+
+def changes(matrix):
+    """What one change to a formulation does to its cells, by the pairs that the rows' names make."""
+    order = {"stable": 0, "degraded": 1, "failed": 2}
+    by_name = {row["name"]: row for row in matrix.rows}
+    for name, base in PAIRS:
+        if name not in by_name or base not in by_name:
+            continue
+        better, worse = [], []
+        for test in matrix.tests:
+            before, after = matrix.cell(by_name[base], test), matrix.cell(by_name[name], test)
+            if before[0] not in order or after[0] not in order or before[0] == after[0]:
+                continue
+            line = f"{test['title']} ({before[1]} -> {after[1]})"
+            (better if order[after[0]] < order[before[0]] else worse).append(line)
+        yield (f"- **{by_name[name]['text']}** against {by_name[base]['text']}: "
+               + ("better in " + ", ".join(better) if better else "better in nothing")
+               + ("; worse in " + ", ".join(worse) if worse else "; worse in nothing") + ".")
+
+
+PAIRS = [("corrected", "plain"), ("artificial_stress", "corrected"), ("pressure_diffusion", "corrected"),
+         ("hourglass_viscosity", "corrected"), ("reconstructed", "corrected"), ("defaults", "reconstructed"),
+         ("defaults_artificial_stress", "defaults"), ("defaults_pressure_diffusion", "defaults"),
+         ("cutting", "defaults"), ("hexes_viscous", "hexes_stiffness"),
+         ("hexes_stiffness_deleted", "hexes_stiffness"), ("hexes_viscous_deleted", "hexes_viscous")]
+
+
+def write_page(catalogue, results, folder):
+    matrix = Matrix(catalogue, results)
+    draw(matrix, folder / "stability")
+    cells = [matrix.cell(row, test)[0] for row in matrix.rows for test in matrix.tests]
+    commits = sorted({result["commit"] for result in results.values()})
+    seconds = sum(result["seconds"] or 0 for result in results.values())
+    lines = [HEAD, f"{cells.count('stable')} cells are stable, {cells.count('degraded')} degraded, "
+             f"{cells.count('failed')} failed, {cells.count('not run')} have not run. One thread, {seconds:.0f} s for "
+             f"all. Commits: {', '.join(commits)}.\n",
+             "![The stability matrix](stability.png)\n", *matrix_table(matrix),
+             "\n## What one change does\n", "By class; a cell that stays in its class is not named.\n", *changes(matrix),
+             "\n## Limits\n", *limit_table(matrix), "\n## Each test\n"]
+    for test in matrix.tests:
+        lines += test_table(matrix, test)
+    (folder / "stability.md").write_text("\n".join(lines) + "\n")
+    print(f"{cells.count('stable')} stable, {cells.count('degraded')} degraded, {cells.count('failed')} failed: "
+          "docs/stability.md")
