@@ -76,7 +76,7 @@ def draw(matrix, file):
             name, text = matrix.cell(row, test)
             color, ink = LOOKS[name]
             axes.add_patch(plt.Rectangle((x, y), 1, 1, facecolor=color, edgecolor="white", linewidth=1.5))
-            axes.text(x + 0.5, y + 0.5, "\n".join(textwrap.wrap(text, 14)), ha="center", va="center", fontsize=6.5,
+            axes.text(x + 0.5, y + 0.5, "\n".join(textwrap.wrap(text.replace(" %", "\u00a0%"), 14)), ha="center", va="center", fontsize=6.5,
                       color=ink, linespacing=0.95)
     axes.set(xlim=(0, len(tests)), ylim=(len(rows), 0))
     axes.set_yticks([y + 0.5 for y in range(len(rows))], [row["text"] for row in rows], fontsize=8)
@@ -159,9 +159,10 @@ def changes(matrix):
 
 
 PAIRS = [("corrected", "plain"), ("artificial_stress", "corrected"), ("pressure_diffusion", "corrected"),
-         ("hourglass_viscosity", "corrected"), ("reconstructed", "corrected"), ("defaults", "reconstructed"),
+         ("hourglass_viscosity", "corrected"), ("xsph", "corrected"), ("reconstructed", "corrected"), ("defaults", "reconstructed"),
          ("defaults_artificial_stress", "defaults"), ("defaults_pressure_diffusion", "defaults"),
-         ("cutting", "defaults"), ("hexes_viscous", "hexes_stiffness"),
+         ("cutting", "defaults"), ("total_lagrangian_viscous", "total_lagrangian"),
+         ("total_lagrangian_viscous", "defaults"), ("hexes_viscous", "hexes_stiffness"),
          ("hexes_stiffness_deleted", "hexes_stiffness"), ("hexes_viscous_deleted", "hexes_viscous")]
 
 

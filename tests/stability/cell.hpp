@@ -46,7 +46,7 @@ const std::vector<Test>& tests();
 Outcome collide_ring(const Formulation&);
 Outcome bend_plate(const Formulation&);
 Outcome pull_strip(const Formulation&);
-Outcome shake_strip(const Formulation&);
+Outcome shake_block(const Formulation&);
 Outcome spin_plate(const Formulation&);
 Outcome disturb_lattice(const Formulation&);
 Outcome hit_wall(const Formulation&);

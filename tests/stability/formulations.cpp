@@ -41,12 +41,20 @@ void cutting(Deck& deck) {
   deck.particles = cut.particles;
 }
 
+Formulation total_lagrangian(const std::string& name, const std::string& text, double hourglass_viscosity) {
+  return {name, text, "particles", false, false, [=](Deck& d) {
+            defaults(d);
+            d.particles.kernel_frame = "initial", d.particles.hourglass_viscosity = hourglass_viscosity;
+          }};
+}
+
 std::vector<Formulation> make() {
   const Change none = [](ParticlesDeck&) {};
   const Change artificial_stress = [](ParticlesDeck& p) { p.artificial_stress = 0.3; };
   const Change pressure_diffusion = [](ParticlesDeck& p) { p.pressure_diffusion = 0.003; };
   const Change hourglass_viscosity = [](ParticlesDeck& p) { p.hourglass_viscosity = 0.3; };
   const Change reconstructed = [](ParticlesDeck& p) { p.viscosity_form = "reconstructed"; };
+  const Change xsph = [](ParticlesDeck& p) { p.xsph = 0.5; };
   const std::string stiffness = "hexes, stiffness hourglass control",
                     viscous = "hexes, viscous hourglass control";
   return {
@@ -55,12 +63,15 @@ std::vector<Formulation> make() {
       changed("artificial_stress", "corrected + artificial stress 0.3", corrected, artificial_stress),
       changed("pressure_diffusion", "corrected + pressure diffusion 0.003", corrected, pressure_diffusion),
       changed("hourglass_viscosity", "corrected + hourglass viscosity 0.3", corrected, hourglass_viscosity),
+      changed("xsph", "corrected + XSPH 0.5", corrected, xsph),
       changed("reconstructed", "corrected + reconstructed viscosity", corrected, reconstructed),
       changed("defaults", "shipped defaults", defaults, none),
       changed("defaults_artificial_stress", "defaults + artificial stress 0.3", defaults, artificial_stress),
       changed("defaults_pressure_diffusion", "defaults + pressure diffusion 0.003", defaults,
               pressure_diffusion),
       changed("cutting", "as the cutting decks", cutting, none),
+      total_lagrangian("total_lagrangian", "total Lagrangian", 0),
+      total_lagrangian("total_lagrangian_viscous", "total Lagrangian + hourglass viscosity 0.3", 0.3),
       {"hexes_stiffness", stiffness + " (shipped)", "hexes", false, true,
        [](Deck& d) { hexes(d, "stiffness", false); }},
       {"hexes_viscous", viscous, "hexes", false, true, [](Deck& d) { hexes(d, "viscous", false); }},
