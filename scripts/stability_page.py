@@ -1,10 +1,12 @@
 """docs/stability.md and its picture, all from the results and the catalogue of the program."""
+import math
 import textwrap
 
 import matplotlib
 
 matplotlib.use("Agg")
 matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
+matplotlib.rcParams["svg.fonttype"] = "none"
 import matplotlib.pyplot as plt
 
 LOOKS = {"stable": ("#e8f1e4", "black"), "degraded": ("#f5c26b", "black"), "failed": ("#8c2d19", "white"),
@@ -20,17 +22,24 @@ runs; it shows the measure that decides. Failed also means: the run ended before
 
 def number(value):
     if value is None:
-        return "NaN"
-    if value != 0 and (abs(value) < 1e-3 or abs(value) >= 1e4):
-        return f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
+        return "no number"
+    if value != 0 and (abs(value) < 1e-3 or abs(value) >= 1e3):
+        digits = 0 if abs(value) < 1e-3 or value == 10 ** round(math.log10(value)) else 1
+        return f"{value:.{digits}e}".replace("e-0", "e-").replace("e+0", "e")
     return f"{value:.2g}"
+
+
+def sentence(text):
+    return text[0].upper() + text[1:]
 
 
 def shown(limit, value):
     """In words, for a cell."""
     text = limit["shown"]
+    if value is None:
+        return f"{text.removesuffix(' %')}: {number(value)}"
     if text.endswith("%"):
-        return f"{text[:-2]} {number(None if value is None else 100 * value)} %"
+        return f"{text[:-2]} {number(100 * value)} %"
     return f"{text} {number(value)}"
 
 
@@ -107,8 +116,8 @@ def test_table(matrix, test):
     found = [(row, matrix.results[row["name"], test["name"]]) for row in matrix.rows
              if (row["name"], test["name"]) in matrix.results]
     measures = list(dict.fromkeys(m for _, result in found for m in result["measures"]))
-    yield f"\n### {test['title'].capitalize()}\n"
-    yield f"{test['text'].capitalize()}.\n"
+    yield f"\n### {sentence(test['title'])}\n"
+    yield f"{sentence(test['text'])}.\n"
     yield "| formulation | class | " + " | ".join(matrix.limits[m]["shown"] for m in measures) + " | steps | seconds |"
     yield "|---" * (len(measures) + 4) + "|"
     for row, result in found:
