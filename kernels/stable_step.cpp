@@ -6,6 +6,17 @@
 
 namespace swarf {
 
+// Wave speed seen from the initial positions over c: of P = J sigma F^-T, squared, J |F^-1 F^-T| (its largest
+// row sum: no less than its largest eigenvalue).
+KOKKOS_INLINE_FUNCTION Real reference_speed_ratio(const Tensor3& F) {
+  const Real J = determinant(F);
+  const Tensor3 G = inverse(F, J), B = multiply(G, transpose(G));
+  const Real row_sum = Kokkos::max(Kokkos::abs(B.xx) + Kokkos::abs(B.xy) + Kokkos::abs(B.xz),
+                                   Kokkos::max(Kokkos::abs(B.yx) + Kokkos::abs(B.yy) + Kokkos::abs(B.yz),
+                                               Kokkos::abs(B.zx) + Kokkos::abs(B.zy) + Kokkos::abs(B.zz)));
+  return Kokkos::sqrt(Kokkos::abs(J) * row_sum);
+}
+
 using MinStep = Kokkos::MinLoc<Real, int>;
 
 StableStep stable_step(const Particles& p, const Neighbors& n, const MaterialTable& materials,
@@ -15,11 +26,13 @@ StableStep stable_step(const Particles& p, const Neighbors& n, const MaterialTab
   MinStep::value_type least;
   const auto build = n.build_position;
   const auto material = p.points.material;
+  const bool initial_frame = p.deformation_gradient.extent(0) > 0;
   Kokkos::parallel_reduce(
       "stable_step", Range(0, p.count),
       KOKKOS_LAMBDA(int i, MinStep::value_type& dt) {
-        const Real own = p.smoothing_length(i) * Kokkos::sqrt(mass_factor) /
-                         longitudinal_wave_speed(materials(material(i)));
+        Real own = p.smoothing_length(i) * Kokkos::sqrt(mass_factor) /
+                   longitudinal_wave_speed(materials(material(i)));
+        if (initial_frame) own /= reference_speed_ratio(load_tensor(p.deformation_gradient, i));
         if (own < dt.val || (own == dt.val && i < dt.loc)) dt.val = own, dt.loc = i;
       },
       MinStep(least));

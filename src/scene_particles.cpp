@@ -52,6 +52,7 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   });
   allocate("correction", p.correction), allocate("pair_stress", p.pair_stress);
   allocate("strain_rate", p.strain_rate), allocate("artificial_stress", p.artificial_stress);
+  if (deck.particles.kernel_frame == "initial") allocate("deformation_gradient", p.deformation_gradient);
   if (deck.particles.xsph > 0) allocate("drift_velocity", p.drift_velocity);
   if (deck.particles.pressure_diffusion > 0) allocate("pressure_state", p.pressure_state);
   if (conducts_heat(deck)) {

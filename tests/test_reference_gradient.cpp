@@ -11,6 +11,7 @@ const Tensor3 half_turn{-1, 0, 0, 0, -1, 0, 0, 0, 1};
 ParticleBlock initial_block(const ImagePlanes& planes = {}) {
   ParticleBlock b = particle_block(9, 8, 7, Real(1e-3), Real(0.1));
   b.method.initial_frame = true;
+  b.particles.deformation_gradient = TensorField("deformation_gradient", b.particles.count);
   build_lists(b, planes);
   return b;
 }
@@ -94,6 +95,7 @@ TEST(ReferenceGradient, SeesImagesOfTheInitialPositions) {
 
 TEST(ReferenceGradient, OfALoneParticleIsZeroAndFinite) {
   ParticleBlock b = particle_block(1, 1, 1, Real(1));
+  b.particles.deformation_gradient = TensorField("deformation_gradient", 1);
   build_lists(b);
   deform(b, large_shear, large_shear);
   reference_gradient(b.particles, b.neighbors);

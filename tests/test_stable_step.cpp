@@ -24,6 +24,28 @@ TEST(StableStep, OfTheFinestParticle) {
   EXPECT_NEAR(double(step.max_displacement) / 5e-5, 1, 1e3 * round_off);
 }
 
+// Waves run the faster through the initial lattice the more it is sheared: for a shear of 5, with J = 1, at
+// most 1 / (least stretch) times, a stretch whose square is (27 - sqrt(725)) / 2; at least half of that is
+// asked.
+TEST(StableStep, OfAShearedInitialLattice) {
+  ParticleBlock b = particle_block(3, 3, 3, Real(1e-3));
+  build_lists(b);
+  const Real at_rest = stable_step(b.particles, b.neighbors, b.materials, 1).dt;
+  b.particles.deformation_gradient = TensorField("deformation_gradient", b.particles.count);
+  const auto F = host_copy(b.particles.deformation_gradient);
+  const auto fill = [&](const Tensor3& to) {
+    for (int i = 0; i < b.particles.count; ++i) store_tensor(F, i, to);
+    Kokkos::deep_copy(b.particles.deformation_gradient, F);
+    return double(stable_step(b.particles, b.neighbors, b.materials, 1).dt / at_rest);
+  };
+  EXPECT_NEAR(fill(identity3()), 1, round_off);
+  EXPECT_NEAR(fill({0, -1, 0, 1, 0, 0, 0, 0, 1}), 1, round_off); // turned
+  EXPECT_NEAR(fill({0.25, 0, 0, 0, 1, 0, 0, 0, 1}), 0.5, round_off);
+  const double least = std::sqrt((27 - std::sqrt(725)) / 2), sheared = fill({1, 5, 0, 0, 1, 0, 0, 0, 1});
+  EXPECT_LE(sheared, least * (1 + round_off));
+  EXPECT_GE(sheared, least / 2);
+}
+
 // A brick's thickness / c; a deleted hex does not count.
 TEST(StableStep, OfTheThinnestHex) {
   const Material mat = elastic_steel();

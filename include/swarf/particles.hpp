@@ -21,6 +21,8 @@ struct Particles {
   ScalarField volume;           // m3
   TensorField correction;       // K_i of the corrected kernel gradient, rows [0, count + tied)
 
+  TensorField deformation_gradient; // F, rows as correction; 0 rows in the current frame
+
   // What a neighbour needs in the force sum (prepare_pair_state).
   TensorField pair_stress;          // sigma K, Pa
   SymmetricField strain_rate;       // D, 1/s
