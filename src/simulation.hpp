@@ -28,7 +28,9 @@ class Simulation {
   // call. Throws SimulationFault. Steps until it wants to be called again: steps_to_check().
   void check();
   long steps_to_check() const { return next_check - steps; }
-  // Energies and extremes of the last check(), mean tool force since the last sample.
+  static constexpr long most_unseen_steps = 100; // a fault is seen no later, however rare the samples
+  // Energies and extremes of the last check(), mean tool force since the last sample. Throws SimulationFault
+  // where the run has made more energy than it was ever given.
   HistorySample sample();
 
   double time() const { return now; }
@@ -57,10 +59,13 @@ class Simulation {
   void press_tool();
   void conduct();
   StableStep limit_step();
-  void check_status(); // throws SimulationFault
-  [[noreturn]] void fail(Fault fault, const std::string& what);
+  void check_status();                           // throws SimulationFault
+  void check_energy(const HistorySample&) const; // throws SimulationFault
+  [[noreturn]] void fail(Fault fault, const std::string& where) const;
+  [[noreturn]] void fail(const std::string& what) const;
   std::string place_of_particle(unsigned row) const; // "particle 12 (row 3) at (x, y, z) m"
   std::string place_of_hex(unsigned row) const;
+  std::string place_of_fastest() const;
 
   Deck deck;
   Scene model;
@@ -82,10 +87,14 @@ class Simulation {
   PointSums of_particles, of_hexes; // at the last check()
   bool lists_due = false;
   double initial_energy = 0, driving_speed = 0;
+  double elastic_scale = 0; // J
   double tool_work = 0;
   std::string step_limiter;
 };
 
+double elastic_scale_of(const MaterialPoints&,
+                        const MaterialTable&); // J: mass times square of the wave speed
+unsigned long long value_of(const Status&);    // on the host
 // Views of the fields that the tool touches. Made anew in each step: fields move when images need room.
 ContactPoints contact_points_of(const Particles&);
 ContactPoints contact_points_of(const HexMesh&);

@@ -61,10 +61,6 @@ double driving_speed_of(const Deck& deck, const Scene& scene) {
   return std::max(speed, double(norm(pose.velocity)) + std::abs(double(pose.angular_velocity)) * radius);
 }
 
-unsigned long long value_of(const Status& status) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, status)();
-}
-
 } // namespace
 
 Simulation::Simulation(const Deck& from)
@@ -72,6 +68,8 @@ Simulation::Simulation(const Deck& from)
       hex_method(hex_method_of(from)), gravity(to_vector(from.run.gravity)), status("status"),
       hex_status("hex_status"), conducts(conducts_heat(from)), mass_factor(from.run.mass_factor) {
   driving_speed = driving_speed_of(deck, model);
+  elastic_scale = elastic_scale_of(model.particles.points, model.materials) +
+                  elastic_scale_of(model.hexes.points, model.materials);
   contact_law.friction = Real(deck.contact.friction);
   contact_law.shear_limit = Real(deck.contact.shear_limit.value_or(0));
   contact_law.stiffness = Real(deck.contact.stiffness);
@@ -123,7 +121,7 @@ void Simulation::check() {
   // Twice the present speed, or the tool's, is allowed for until the next look.
   const double reach = 2 * std::max(speed, driving_speed) * step_size;
   const double whole = 0.5 * double(lists.skin);
-  long interval = deck.output.history_steps;
+  long interval = std::min<long>(deck.output.history_steps, most_unseen_steps);
   if (lists_age && reach * interval > 0.5 * whole) interval = std::max(1L, long(0.5 * whole / reach));
   lists_due = lists_age && room < reach * double(interval);
   next_check = steps + interval;
@@ -161,6 +159,7 @@ HistorySample Simulation::sample() {
   Kokkos::deep_copy(loads.total, ToolLoad{});
   steps_at_sample = steps;
   timer.mark("samples");
+  check_energy(s);
   return s;
 }
 
@@ -168,36 +167,6 @@ int Simulation::leaked_particles() const {
   if (!deck.tool || model.particles.count == 0) return 0;
   ContactPoints points = contact_points_of(model.particles);
   return count_points_inside(points, model.tool, pose(), Real(0.25 * model.spacing));
-}
-
-void Simulation::check_status() {
-  const auto particle_fault = value_of(status), hex_fault = value_of(hex_status);
-  if (particle_fault != no_fault)
-    fail(Fault(particle_fault >> 32), place_of_particle(unsigned(particle_fault)));
-  if (hex_fault != no_fault) fail(Fault(hex_fault >> 32), place_of_hex(unsigned(hex_fault)));
-}
-
-std::string Simulation::place_of_particle(unsigned row) const {
-  const Vector3 x = load_vector(host_copy(model.particles.position), int(row));
-  const bool tied = int(row) >= model.particles.count;
-  return fmt::format("{} {} (row {}) at ({:.6g}, {:.6g}, {:.6g}) m", tied ? "tied particle" : "particle",
-                     host_copy(model.particles.identity)(row), row, x.x, x.y, x.z);
-}
-
-std::string Simulation::place_of_hex(unsigned row) const {
-  const Vector3 x = load_vector(host_copy(model.hexes.position), host_copy(model.hexes.connectivity)(row, 0));
-  return fmt::format("hex {} (row {}) at ({:.6g}, {:.6g}, {:.6g}) m", row, row, x.x, x.y, x.z);
-}
-
-void Simulation::fail(Fault fault, const std::string& where) {
-  const char* what = fault == Fault::non_finite       ? "a state that is not a finite number, in "
-                     : fault == Fault::inverted_hex   ? "turned inside out: "
-                     : fault == Fault::return_mapping ? "a plastic return that did not converge, in "
-                     : fault == Fault::particle_lost  ? "out of its periodic body: "
-                                                      : "particles that outran the neighbour lists";
-  throw SimulationFault(fmt::format("the run became unstable: {}{}; t = {:.6g} s, step {}. "
-                                    "Try a smaller run.courant or run.mass_factor.",
-                                    what, where, now, steps));
 }
 
 void Simulation::write_state(CheckpointWriter& out) const {

@@ -5,6 +5,7 @@
 #include "src/write_vtk.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
+#include "tests/verification/drive.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -180,7 +181,7 @@ TEST_F(RunFaults, unstable_run) {
   EXPECT_EQ(again.status, 3) << "a run that failed must not go on as if nothing had been\n" << again.output;
 }
 
-// Hexes alone are looked at for the first time when the run ends: what failed on the way must not pass.
+// Fewer steps than may pass unseen: what failed on the way must not pass at the end.
 TEST_F(RunFaults, unstable_in_the_last_steps) {
   const Ended end = run_program(run_arguments(write_deck(folder, R"([material.m]
 law = "elastic"
@@ -201,13 +202,68 @@ x_min = "fixed"
 viscosity_linear = 10
 [run]
 courant = 1
-end_time = "100 us"
+end_time = "10 us"
 [output]
 history_steps = 1000000
 )"),
                                               results));
   EXPECT_EQ(end.status, 3) << end.output;
   EXPECT_THAT(end.output, testing::ContainsRegex("hex [0-9]+ \\(row [0-9]+\\) at "));
+}
+
+namespace {
+
+// Hexes alone, sampled never: nothing but the bound on unseen steps makes the run look.
+Deck unsampled_bar() {
+  Deck deck = shipped_defaults();
+  deck.materials = {titanium()};
+  deck.bodies = {block("bar", "hexes", {0, 0, 0}, {4e-3, 1e-3, 1e-3}, 1e-3)};
+  deck.bodies[0].velocity = {1, 0, 0};
+  deck.output.history_steps = 1000000;
+  return deck;
+}
+
+// Steps until a fault is thrown after `spoil` has gone at the velocities, and what it says.
+template <class Spoil>
+std::pair<long, std::string> steps_until_seen(const Spoil& spoil) {
+  Simulation simulation(unsampled_bar());
+  simulation.start();
+  for (int k = 0; k < 30; ++k) simulation.step();
+  const VectorField velocity = simulation.scene().hexes.velocity;
+  const auto v = host_copy(velocity);
+  spoil(v);
+  Kokkos::deep_copy(velocity, v);
+  try {
+    for (int k = 0; k < 1000; ++k) {
+      simulation.step();
+      if (simulation.steps_to_check() > 0) continue;
+      simulation.check(), simulation.sample();
+    }
+  } catch (const SimulationFault& fault) {
+    return {simulation.step_count() - 30, fault.what()};
+  }
+  return {-1, "no fault"};
+}
+
+} // namespace
+
+TEST_F(RunFaults, are_seen_within_a_bounded_number_of_steps) {
+  const auto [steps, what] =
+      steps_until_seen([](const auto& v) { v(0, 0) = std::numeric_limits<Real>::quiet_NaN(); });
+  EXPECT_LE(steps, Simulation::most_unseen_steps);
+  EXPECT_THAT(what, HasSubstr("not a finite number, in hex "));
+}
+
+// All numbers finite, all hexes whole: only the balance shows it.
+TEST_F(RunFaults, energy_out_of_nothing) {
+  const auto [steps, what] = steps_until_seen([](const auto& v) {
+    for (std::size_t i = 0; i < v.extent(0); ++i) v(i, 0) = 200;
+  });
+  EXPECT_GT(steps, 0);
+  EXPECT_LE(steps, Simulation::most_unseen_steps);
+  EXPECT_THAT(what,
+              testing::ContainsRegex("it has made .* J of energy and was given .* J; fastest, 200 m/s: node "
+                                     "[0-9]+ at \\(.*\\) m; t = "));
 }
 
 TEST_F(RunFaults, tool_inside_the_workpiece) {
