@@ -12,7 +12,7 @@ void bench_sort_particles(benchmark::State& state) {
   particles.for_each_field([&](const char*, auto& field) {
     bytes += double(field.size()) * sizeof(typename std::decay_t<decltype(field)>::value_type);
   });
-  for (auto _ : state) sort_particles(particles, c.neighbors.cutoff / 4);
+  for (auto _ : state) sort_particles(particles, c.neighbors.cutoff / 16);
   report(state, c.count(), {0, 4 * bytes / c.count()});
 }
 BENCHMARK(bench_sort_particles)->Name("sort_particles")->Apply(all_sizes);

@@ -1,29 +1,26 @@
-// Verlet lists of clusters: rows in Z order are cut into runs of pack_width; the list of a run holds every
-// row within the cutoff of one of its members. Candidates come from the sorted Z keys of the cells around the
-// run's box; a search cell is 4 x 4 x 4 cells of the key. Two passes, count and fill. No absolute distance
-// anywhere.
+// Verlet lists of clusters: rows along a Hilbert curve are cut into runs of pack_width; the list of a run
+// holds every row within the cutoff of one of its members. Candidates come row by row from a grid of cells,
+// sorted, so that cells without rows take no memory; those near the run's box are tested against each member.
+// Two passes, count and fill. No absolute distance anywhere.
+#include "cell_order.hpp"
 #include "swarf/pair.hpp"
-#include "z_order.hpp"
 
 namespace swarf {
 namespace {
 
-constexpr int search_level = 2; // search cell = key cell * 2^search_level
-constexpr int key_shift = 3 * search_level;
-
 struct Search {
-  ZGrid grid; // of search cells
-  SortedRows rows;
+  CellGrid grid;
+  KeyedRows rows;       // by cell
+  VectorField position; // of the sorted rows
   int total = 0;
-  VectorField position;
-  Real cutoff2 = 0;
+  Real cutoff = 0;
 };
 
-SWARF_FN int lower_bound(const View<ZKey*>& key, int count, ZKey value) {
+SWARF_FN int lower_bound(const KeyedRows& rows, int count, CellKey value) {
   int low = 0;
   while (count > 0) {
     const int half = count / 2;
-    if (key(low + half) < value)
+    if (rows(low + half).key < value)
       low += half + 1, count -= half + 1;
     else
       count = half;
@@ -31,40 +28,69 @@ SWARF_FN int lower_bound(const View<ZKey*>& key, int count, ZKey value) {
   return low;
 }
 
-struct CellBox {
-  int low[3], high[3];
+struct Box {
+  Vector3 low, high;
 };
 
-KOKKOS_INLINE_FUNCTION CellBox cells_around(const Search& s, const Lanes& lanes, Real cutoff) {
-  Vector3 low = load_vector(s.position, lanes.first), high = low;
+KOKKOS_INLINE_FUNCTION Box box_of(const VectorField& position, const Lanes& lanes) {
+  Vector3 low = load_vector(position, lanes.first), high = low;
   for (int lane = 1; lane < lanes.size; ++lane) {
-    const Vector3 x = load_vector(s.position, lanes.first + lane);
+    const Vector3 x = load_vector(position, lanes.first + lane);
     low = {Kokkos::min(low.x, x.x), Kokkos::min(low.y, x.y), Kokkos::min(low.z, x.z)};
     high = {Kokkos::max(high.x, x.x), Kokkos::max(high.y, x.y), Kokkos::max(high.z, x.z)};
   }
-  const ZGrid& g = s.grid;
-  return {{int(g.index(low.x - cutoff, g.origin.x)), int(g.index(low.y - cutoff, g.origin.y)),
-           int(g.index(low.z - cutoff, g.origin.z))},
-          {int(g.index(high.x + cutoff, g.origin.x)), int(g.index(high.y + cutoff, g.origin.y)),
-           int(g.index(high.z + cutoff, g.origin.z))}};
+  return {low, high};
+}
+
+// 0 inside.
+SWARF_FN Real squared_distance(const Box& box, Real x, Real y, Real z) {
+  const Real dx = Kokkos::max(Kokkos::max(box.low.x - x, x - box.high.x), Real(0));
+  const Real dy = Kokkos::max(Kokkos::max(box.low.y - y, y - box.high.y), Real(0));
+  const Real dz = Kokkos::max(Kokkos::max(box.low.z - z, z - box.high.z), Real(0));
+  return dx * dx + dy * dy + dz * dz;
+}
+
+constexpr int chunk = 64; // candidates looked at together
+
+// Of sorted rows begin .. end - 1, at most a chunk: takes those within the cutoff of a lane.
+template <class Take>
+KOKKOS_INLINE_FUNCTION void take_near(const Search& s, const Box& box, const Vector3Of<Pack>& x_i, int begin,
+                                      int end, const Take& take) {
+  const Real cutoff2 = s.cutoff * s.cutoff;
+  Real distance2[chunk];
+  int near[chunk], count = 0;
+  for (int k = 0; k < end - begin; ++k) // no branch: fills the lanes with candidates
+    distance2[k] =
+        squared_distance(box, s.position(begin + k, 0), s.position(begin + k, 1), s.position(begin + k, 2));
+  for (int k = 0; k < end - begin; ++k) {
+    near[count] = begin + k;
+    count += distance2[k] < cutoff2;
+  }
+  for (int k = 0; k < count; ++k) {
+    const auto x_ij = x_i - broadcast_vector(s.position, near[k]);
+    if (any_less(dot(x_ij, x_ij), cutoff2)) take(s.rows(near[k]).row);
+  }
 }
 
 // Calls take(row) for every row within the cutoff of a lane.
 template <class Take>
-KOKKOS_INLINE_FUNCTION void for_each_near(const Search& s, const Lanes& lanes, Real cutoff,
+KOKKOS_INLINE_FUNCTION void for_each_near(const Search& s, const VectorField& position, const Lanes& lanes,
                                           const Take& take) {
-  const CellBox box = cells_around(s, lanes, cutoff);
-  const auto x_i = lanes.load_vector(s.position);
-  for (int k = box.low[2]; k <= box.high[2]; ++k)
-    for (int j = box.low[1]; j <= box.high[1]; ++j)
-      for (int i = box.low[0]; i <= box.high[0]; ++i) {
-        const ZKey first = z_key(i, j, k) << key_shift, last = first + (ZKey(1) << key_shift);
-        for (int r = lower_bound(s.rows.key, s.total, first); r < s.total && s.rows.key(r) < last; ++r) {
-          const int row = s.rows.row(r);
-          const auto x_ij = x_i - broadcast_vector(s.position, row);
-          if (any_less(dot(x_ij, x_ij), s.cutoff2)) take(row);
-        }
+  const Box box = box_of(position, lanes);
+  const Vector3 reach{s.cutoff, s.cutoff, s.cutoff};
+  const CellIndex low = s.grid.index(box.low - reach), high = s.grid.index(box.high + reach);
+  const auto x_i = lanes.load_vector(position);
+  for (CellKey k = low.k; k <= high.k; ++k)
+    for (CellKey j = low.j; j <= high.j; ++j) {
+      const CellKey last = row_key({high.i, j, k});
+      int begin = lower_bound(s.rows, s.total, row_key({low.i, j, k}));
+      while (begin < s.total && s.rows(begin).key <= last) {
+        int end = begin;
+        while (end < s.total && end < begin + chunk && s.rows(end).key <= last) ++end;
+        take_near(s, box, x_i, begin, end, take);
+        begin = end;
       }
+    }
 }
 
 void make_clusters(Neighbors& n, const Particles& p) {
@@ -83,19 +109,34 @@ void make_clusters(Neighbors& n, const Particles& p) {
 }
 
 // Counts (fill = false) or writes (fill = true) the lists.
-void walk(const Neighbors& n, const Search& s, bool fill) {
-  const Real cutoff = n.cutoff;
+void walk(const Neighbors& n, const Search& s, const VectorField& position, bool fill) {
   Kokkos::parallel_for(
       "find_neighbors", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int c) {
         const Lanes lanes{n.first(c), n.size(c)};
         long found = 0;
         const long begin = fill ? n.start(c) : 0;
-        for_each_near(s, lanes, cutoff, [&](int row) {
+        for_each_near(s, position, lanes, [&](int row) {
           if (fill) n.neighbor(begin + found) = row;
           ++found;
         });
         if (!fill) n.start(c) = found;
       });
+}
+
+struct RowKey {
+  CellGrid grid;
+  SWARF_FN CellKey operator()(const Vector3& x) const { return row_key(grid.index(x)); }
+};
+
+Search make_search(const Particles& p, Real cutoff) {
+  Search s{cell_grid(p.position, p.total, cutoff), {}, {}, p.total, cutoff};
+  s.rows = sort_rows(p.position, p.total, RowKey{s.grid});
+  s.position = VectorField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "sorted_position"), p.total);
+  const VectorField from = p.position;
+  Kokkos::parallel_for(
+      "sorted_position", Range(0, p.total),
+      KOKKOS_LAMBDA(int r) { store_vector(s.position, r, load_vector(from, s.rows(r).row)); });
+  return s;
 }
 
 long scan_starts(const Neighbors& n) {
@@ -117,16 +158,12 @@ long scan_starts(const Neighbors& n) {
 
 void find_neighbors(Neighbors& n, const Particles& p) {
   make_clusters(n, p);
-  Search s;
-  const ZGrid keys = z_grid(p.position, p.total, n.cutoff / Real(1 << search_level));
-  s.rows = sort_rows(p.position, p.total, keys);
-  s.grid = {keys.origin, keys.cell_size * Real(1 << search_level)};
-  s.total = p.total, s.position = p.position, s.cutoff2 = n.cutoff * n.cutoff;
-  walk(n, s, false);
+  const Search s = make_search(p, n.cutoff);
+  walk(n, s, p.position, false);
   const long total = scan_starts(n);
   if (long(n.neighbor.extent(0)) < total)
     n.neighbor = IndexField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbor"), total + total / 16);
-  walk(n, s, true);
+  walk(n, s, p.position, true);
   const int rows = p.total;
   if (int(n.build_position.extent(0)) < rows) n.build_position = VectorField("build_position", rows);
   const auto from = p.position, to = n.build_position;

@@ -2,7 +2,7 @@
 #include "src/box_grid.hpp"
 #include "src/isoparametric.hpp"
 #include "src/upload.hpp"
-#include "swarf/z_order.hpp"
+#include "swarf/cell_order.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -61,10 +61,12 @@ bool belongs_to_other(const std::vector<FilledBody>& bodies, int row, const Poin
 void sort_along_curve(std::vector<TiedPoint>& points, double cell) {
   Eigen::AlignedBox3d box;
   for (const TiedPoint& p : points) box.extend(p.position);
-  const ZGrid grid{to_vector3(box.min()), Real(cell)};
-  std::stable_sort(points.begin(), points.end(), [&](const TiedPoint& a, const TiedPoint& b) {
-    return grid.key(to_vector3(a.position)) < grid.key(to_vector3(b.position));
-  });
+  const CellGrid grid{to_vector3(box.min()), Real(cell)};
+  const auto key = [&](const TiedPoint& p) {
+    return hilbert_key(grid.index(to_vector3(p.position)), cell_bits);
+  };
+  std::stable_sort(points.begin(), points.end(),
+                   [&](const TiedPoint& a, const TiedPoint& b) { return key(a) < key(b); });
 }
 
 // How the stress passes from a body of particles to its hexes: the tied particles' weight falls from 1 at the

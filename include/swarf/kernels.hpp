@@ -38,7 +38,7 @@ struct HexMethod {
 // --- neighbours and images
 using ImagePlanes = std::vector<ImagePlane>; // on the host: a launch for each plane
 void wrap_periodic(const Particles&, const ImagePlanes&, const Status&); // back through the partner plane
-void sort_particles(Particles&, Real cell_size);              // rows [0, count) along a Z-order curve
+void sort_particles(Particles&, Real cell_size);              // rows [0, count) along a Hilbert curve
 void make_images(Particles&, Neighbors&, const ImagePlanes&); // rows [count + tied, total)
 void find_neighbors(Neighbors&, const Particles&);            // clusters and their lists
 void update_images(const Particles&, const Neighbors&, const ImagePlanes&);      // position, velocity

@@ -60,7 +60,7 @@ inline ParticleBlock particle_block(int nx, int ny, int nz, Real spacing, Real d
 }
 
 inline void build_lists(ParticleBlock& b, const ImagePlanes& planes = {}) {
-  sort_particles(b.particles, b.neighbors.cutoff / 4);
+  sort_particles(b.particles, b.neighbors.cutoff / 16);
   make_images(b.particles, b.neighbors, planes);
   find_neighbors(b.neighbors, b.particles);
   update_images(b.particles, b.neighbors, planes);
