@@ -49,7 +49,9 @@ def take(found, build, sizes, threads, round_number, seconds):
                 raise SystemExit(f"{program.name}: {row['name']}: {row['error_message']}")
             measured = found.setdefault(key_of(row, answer["context"]), {"rounds": {}})
             measured["rounds"][round_number] = 1 / row["items_per_second"]
-            measured.setdefault("core_share", []).append(row["cpu_time"] / row["real_time"])
+            share = row["cpu_time"] / row["real_time"]
+            measured.setdefault("core_share", []).append(share)
+            measured.setdefault("core_seconds", []).append(share / row["items_per_second"])
             measured.update({field: row[field] for field in FIELDS if field in row})
             for phase in (one for one in row if one.startswith("phase: ")):
                 measured.setdefault("phases", {}).setdefault(phase[7:], []).append(row[phase] / row["items"])
@@ -61,8 +63,9 @@ def row_of(key, measured):
     times = list(measured["rounds"].values())
     row = {"name": name, "size": size, "threads": threads, "bits": bits, "seconds_per_item": statistics.median(times),
            "best": min(times), "rounds": measured["rounds"]}
-    if threads == 1:  # of a core, that this process got: the rest went to other programs
+    if threads == 1:  # of a core, that this process got: the rest went to other programs, and its time there
         row["core_share"] = statistics.median(measured["core_share"])
+        row["core_seconds_per_item"] = statistics.median(measured["core_seconds"])
     row |= {field: measured[field] for field in FIELDS if field in measured}
     if "phases" in measured:
         row["phases"] = {phase: statistics.median(values) for phase, values in measured["phases"].items()}

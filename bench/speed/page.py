@@ -12,7 +12,8 @@ ratios are taken within a round.
 
 **How quiet the machine was:** load average {first:.1f} at the start, median {median:.1f}, most {most:.1f} on {cores}
 cores; a process of one thread got {share:.0f} % of a core (median of all rows). Alone, the load is at most the number of
-threads and the share 100 %; otherwise the rates below are too low, those on two threads most.
+threads and the share 100 %; otherwise the rates below are too low, those on two threads most. "Core": rate by the
+processor time of one thread, which does not count waiting for other programs.
 
 Ceilings, best of the rounds, double: {ceilings}.
 """
@@ -62,16 +63,16 @@ def head(results):
 
 
 def step_rows(results):
-    yield "| scene | size | bits | M/s, 1 thread | best | M/s, 2 threads | best | 2 over 1 thread |"
-    yield "|---|---|---|---|---|---|---|---|"
+    yield "| scene | size | bits | core, M/s | M/s, 1 thread | best | M/s, 2 threads | best | 2 over 1 thread |"
+    yield "|" + "---|" * 9
     for name in results.names(step=True):
         for size in results.sizes():
             for bits in (64, 32):
                 one, two = (results.get(name, size, threads, bits) for threads in (1, 2))
                 if not one or not two:
                     continue
-                yield (f"| {name[6:]} | {spaced(size)} | {bits} | {rate(one)} | {1e-6 / one['best']:.2f} | {rate(two)} "
-                       f"| {1e-6 / two['best']:.2f} | {results.ratio(one, two):.2f} |")
+                yield (f"| {name[6:]} | {spaced(size)} | {bits} | {1e-6 / one['core_seconds_per_item']:.2f} | {rate(one)} "
+                       f"| {1e-6 / one['best']:.2f} | {rate(two)} | {1e-6 / two['best']:.2f} | {results.ratio(one, two):.2f} |")
 
 
 def phase_rows(results, size):
@@ -87,9 +88,9 @@ def phase_rows(results, size):
 
 
 def kernel_rows(results):
-    yield ("| kernel | size | flop | byte | M/s, 1 thread | M/s, 2 threads | 2 over 1 | GFLOP/s, 2 threads | GB/s "
+    yield ("| kernel | size | flop | byte | core, M/s | M/s, 1 thread | M/s, 2 threads | 2 over 1 | GFLOP/s, 2 threads | GB/s "
            "| share of FMA | share of triad |")
-    yield "|" + "---|" * 11
+    yield "|" + "---|" * 12
     for name in results.names(step=False):
         for size in results.sizes():
             one, two = (results.get(name, size, threads) for threads in (1, 2))
@@ -98,7 +99,7 @@ def kernel_rows(results):
             flops, lanes = results.share(two, "flops"), results.share(two, "lane_flops")
             more = f" ({100 * lanes:.0f} %)" if lanes > 1.001 * flops else ""
             yield (f"| {name} | {spaced(size)} | {one['flops_per_item']:.0f} | {one['bytes_per_item']:.0f} "
-                   f"| {rate(one)} | {rate(two)} | {results.ratio(one, two):.2f} "
+                   f"| {1e-6 / one['core_seconds_per_item']:.2f} | {rate(one)} | {rate(two)} | {results.ratio(one, two):.2f} "
                    f"| {two['flops_per_item'] / two['seconds_per_item'] / 1e9:.1f} "
                    f"| {two['bytes_per_item'] / two['seconds_per_item'] / 1e9:.1f} "
                    f"| {100 * flops:.1f} %{more} | {100 * results.share(two, 'bytes'):.0f} % |")
