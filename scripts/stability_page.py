@@ -132,6 +132,8 @@ def test_table(matrix, test):
         steps = "-" if result["steps"] is None else f"{result['steps']:.0f}"
         seconds = "-" if result["seconds"] is None else f"{result['seconds']:.1f}"
         yield f"| {row['text']} | {result['class']} | " + " | ".join(values) + f" | {steps} | {seconds} |"
+    if test["why"]:
+        yield f"\n{test['why']}"
     for row, result in found:
         if result["fault"]:
             at = "" if result["reached"] is None else f" at {100 * result['reached']:.0f} % of its time"
@@ -170,7 +172,7 @@ def changes(matrix):
 PAIRS = [("corrected", "plain"), ("artificial_stress", "corrected"), ("pressure_diffusion", "corrected"),
          ("hourglass_viscosity", "corrected"), ("xsph", "corrected"), ("reconstructed", "corrected"), ("defaults", "reconstructed"),
          ("defaults_artificial_stress", "defaults"), ("defaults_pressure_diffusion", "defaults"),
-         ("cutting", "defaults"), ("total_lagrangian_viscous", "total_lagrangian"),
+         ("defaults_xsph", "defaults"), ("cutting", "defaults"), ("total_lagrangian_viscous", "total_lagrangian"),
          ("total_lagrangian_viscous", "defaults"), ("hexes_viscous", "hexes_stiffness"),
          ("hexes_stiffness_deleted", "hexes_stiffness"), ("hexes_viscous_deleted", "hexes_viscous")]
 

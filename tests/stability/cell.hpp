@@ -37,6 +37,7 @@ struct Outcome {
 enum class Kind { elastic, plastic, cut };
 struct Test {
   std::string name, title, text;
+  std::string why; // what fails fails so, as far as is known
   Kind kind;
   bool particles_only;
   Outcome (*run)(const Formulation&);

@@ -69,6 +69,7 @@ std::vector<Formulation> make() {
       changed("defaults_artificial_stress", "defaults + artificial stress 0.3", defaults, artificial_stress),
       changed("defaults_pressure_diffusion", "defaults + pressure diffusion 0.003", defaults,
               pressure_diffusion),
+      changed("defaults_xsph", "defaults + XSPH 0.5", defaults, xsph),
       changed("cutting", "as the cutting decks", cutting, none),
       total_lagrangian("total_lagrangian", "total Lagrangian", 0),
       total_lagrangian("total_lagrangian_viscous", "total Lagrangian + hourglass viscosity 0.3", 0.3),

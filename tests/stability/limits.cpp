@@ -40,6 +40,8 @@ const std::vector<Limit>& limits() {
        1e4, 1e3, "the cutting decks use 1e4; below 1e3 a run of the mill takes days", true},
       {"viscosity_change", "work %", "change of the work with viscosity 0 to 2, under mass factor 1e4", 0.1,
        0.5, "10 % is what a force may err"},
+      {"viscosity_shipped", "work at 0.5 %", "the same with viscosity 0 to 0.5, as shipped", 0.1, 0.5,
+       "the same"},
       {"courant", "Courant", "largest Courant number, 0.3 to 1.2, that keeps a shaken block bounded", 0.6,
        0.3, "the decks use up to 0.5; 0.3 is the shipped default", true},
       {"courant_viscous", "Courant", "the same with viscosity 2", 0.6, 0.3, "the same", true},

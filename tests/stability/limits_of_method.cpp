@@ -111,14 +111,17 @@ Outcome raise_mass(const Formulation& f) {
 Outcome raise_viscosity(const Formulation& f) {
   Outcome o;
   const double factor = 1e4, none = work_of_squeezing(f, factor, 0, o);
-  double most = 0;
+  double most = 0, shipped = 0;
   for (const double viscosity : {0.5, 1.0, 2.0}) {
     const double change = std::abs(work_of_squeezing(f, factor, viscosity, o) / none - 1);
     most = change <= most ? most : change; // a NaN stays
+    if (viscosity == 0.5) shipped = change;
   }
   Deck viscous = cube(f, 6, um);
   set_viscosity(viscous, 2);
-  o.measures = {{"viscosity_change", most}, {"courant_viscous", largest_courant(viscous, o.steps)}};
+  o.measures = {{"viscosity_shipped", shipped},
+                {"viscosity_change", most},
+                {"courant_viscous", largest_courant(viscous, o.steps)}};
   return o;
 }
 

@@ -12,49 +12,6 @@ using namespace swarf;
 using namespace swarf::stability;
 using test::json, test::json_array, test::json_object;
 
-namespace swarf::stability {
-
-const std::vector<Test>& tests() {
-  static const std::vector<Test> all = {
-      {"rings", "tension: ring", "a rubber ring meets a wall at 0.059 c0, 4 cells thick", Kind::elastic,
-       false, collide_ring},
-      {"strip", "tension: strip", "an elastic strip pulled by 20 %, 24 x 8 cells", Kind::elastic, false,
-       pull_strip},
-      {"plate", "bending: plate", "a clamped plate, 40 x 4 cells, its tip started at 0.05 c0, one period",
-       Kind::elastic, false, bend_plate},
-      {"zero_energy", "zero-energy mode",
-       "a checkerboard in an endless block, without shock viscosity: of velocities, 1e-3 c; and driven to a "
-       "twentieth of the spacing and let go",
-       Kind::elastic, false, shake_block},
-      {"rotation", "large rotation", "a free plate, 16 x 16 cells, spins by 360 deg", Kind::elastic, false,
-       spin_plate},
-      {"disorder", "disorder", "a plate of 12 x 12 points a fifth of a spacing off their lattice vibrates",
-       Kind::elastic, false, disturb_lattice},
-      {"contact", "contact, fast",
-       "a block meets a wall obliquely at 60 m/s, ten times the verification's speed, friction 0.5",
-       Kind::elastic, false, hit_wall},
-      {"lone", "lone particle", "one particle leaves the others at half the speed of waves", Kind::elastic,
-       true, lose_particle},
-      {"scale", "scale", "a block meets a wall, plastic, with friction; cells of 1 mm, 1 um, 60 nm, 1 nm",
-       Kind::elastic, false, scale_scene},
-      {"courant", "time step", "a cube shaken at random, Courant number 0.3 to 1.2", Kind::elastic, false,
-       raise_courant},
-      {"mass", "mass factor", "a block of the cut squeezed by 10 % at 0.5 m/s, mass factor 1 to 1e6",
-       Kind::plastic, false, raise_mass},
-      {"viscosity", "viscosity",
-       "the same under mass factor 1e4, linear viscosity 0 to 2, the quadratic one twice that; and the time "
-       "step at 2",
-       Kind::plastic, false, raise_viscosity},
-      {"cut", "large shear: cut", "orthogonal cutting, 30 m/min, 40 um deep, cells of 10 um, 150 um of cut",
-       Kind::cut, false, stability::cut},
-      {"cut_fast", "cut, ten times as fast", "the same at 300 m/min, under the same mass factor", Kind::cut,
-       false, cut_fast},
-  };
-  return all;
-}
-
-} // namespace swarf::stability
-
 namespace {
 
 std::string boolean(bool b) { return b ? "true" : "false"; }
@@ -71,8 +28,8 @@ void list() {
                                 {"tests", json_array(meets)}}));
   }
   for (const Test& t : tests())
-    columns.push_back(
-        json_object({{"name", json(t.name)}, {"title", json(t.title)}, {"text", json(t.text)}}));
+    columns.push_back(json_object(
+        {{"name", json(t.name)}, {"title", json(t.title)}, {"text", json(t.text)}, {"why", json(t.why)}}));
   for (const Limit& l : limits())
     measures.push_back(json_object({{"name", json(l.measure)},
                                     {"shown", json(l.shown)},
