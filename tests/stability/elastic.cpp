@@ -158,6 +158,8 @@ double mode_that_stays(const Formulation& f, double end, Outcome& o) {
     if (simulation.steps_to_check() <= 0) simulation.check();
   }
   block.seed(0);
+  const double reached =
+      std::abs(amplitude()); // less than the goal where points do not move as they are told
   double sum = 0;
   int looks = 0;
   try {
@@ -168,7 +170,7 @@ double mode_that_stays(const Formulation& f, double end, Outcome& o) {
     o.fault = fault.what();
   }
   o.steps += simulation.step_count();
-  return std::abs(sum / looks) / goal;
+  return std::abs(sum / looks) / reached;
 }
 
 } // namespace
