@@ -15,7 +15,7 @@ KOKKOS_INLINE_FUNCTION Tensor3 correction_from(const Tensor3& A) {
   const Real mean = (A.xx + A.yy + A.zz) / Real(3);
   Real norm2 = 0;
   for (int c = 0; c < 9; ++c) norm2 += mean * mean * k[c] * k[c];
-  const Real share = Kokkos::clamp((Real(200) - norm2) / Real(100), Real(0), Real(1));
+  const Real share = Kokkos::clamp((Real(24) - norm2) / Real(12), Real(0), Real(1));
   Tensor3 blend = identity3();
   Real* b = &blend.xx;
   for (int c = 0; c < 9; ++c) b[c] += share * (k[c] - b[c]);

@@ -14,21 +14,30 @@
 namespace swarf {
 namespace {
 
+// Chosen when compiled: unused sums would cost a third of the pass.
+template <bool with_artificial, bool with_stiff, bool in_initial_frame = false>
+struct Terms {
+  static constexpr bool artificial = with_artificial, stiff = with_stiff, initial = in_initial_frame;
+};
+
 // The cluster's own values and sums.
 struct ForceSums {
-  Vector3Of<Pack> neighbor_stress;     // sum V_j [P_j + f^n R_j - q] grad W
-  Vector3Of<Pack> gradient;            // sum V_j grad W, meets P_i afterwards
+  Vector3Of<Pack> neighbor_stress; // sum V_j [P_j + f^n R_j - q] grad W
+  Vector3Of<Pack> gradient;        // sum V_j grad W, meets P_i afterwards
+  Vector3Of<Pack> hourglass_rate;
   Pack viscous_power, hourglass_power; // sum V_j q grad W . v_ij
 };
 
 struct Cluster {
-  Vector3Of<Pack> x, X, v;
+  Vector3Of<Pack> x, X, v, d;
   Symmetric3Of<Pack> D, R;
-  Pack inverse_h, impedance, density;
+  Pack inverse_h, impedance, density, shear_modulus;
 };
 
 struct PairViscosity {
   Pack shock, hourglass; // Pa
+  Pack beyond_linear;    // x_ij . (v_ij - (D_i + D_j) x_ij / 2), m2/s
+  Pack per_area;         // 1 / r2, 1/m2
 };
 
 // xv = x_ij . v_ij. The shock's part is zero for pairs that part; the weaker of v_ij and what is left of it
@@ -46,7 +55,8 @@ KOKKOS_FORCEINLINE_FUNCTION PairViscosity pair_viscosity(const Cluster& i, const
   const Pack Z = half * (i.impedance + Pack(p.impedance(j, 0)));
   const Pack rho = half * (i.density + Pack(p.impedance(j, 1)));
   return {mu * (Pack(m.viscosity_quadratic) * rho * mu - Pack(m.viscosity_linear) * Z),
-          Pack(-m.hourglass_viscosity) * Z * (beyond_linear * per_length)};
+          Pack(-m.hourglass_viscosity) * Z * (beyond_linear * per_length), beyond_linear,
+          per_length * inverse_h};
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const ParticleMethod& m) {
@@ -56,25 +66,39 @@ KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const Particle
   return power;
 }
 
-template <bool artificial, bool initial>
+// Pa. The displacement lacks what this step adds to it.
+KOKKOS_FORCEINLINE_FUNCTION Pack hourglass_stress(const Cluster& i, const Particles& p, int j,
+                                                  const Vector3Of<Pack>& x_ij, const PairViscosity& q,
+                                                  const ParticleMethod& m, Real dt) {
+  const Pack stretch =
+      dot(x_ij, i.d - broadcast_vector(p.hourglass_displacement, j)) + Pack(dt) * q.beyond_linear;
+  const Pack modulus = Pack(Real(-0.5) * m.hourglass_stiffness) * (i.shear_modulus + Pack(p.impedance(j, 2)));
+  return modulus * stretch * q.per_area;
+}
+
+template <class T>
 KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const Particles& p,
-                                          const Neighbors& n, int j, const ParticleMethod& m) {
+                                          const Neighbors& n, int j, const ParticleMethod& m, Real dt) {
   const auto x_ij = i.x - broadcast_vector(p.position, j);
   const auto v_ij = i.v - broadcast_vector(p.velocity, j);
   const Pack inverse_h = mean_inverse_h(i.inverse_h, p.smoothing_length(j));
   auto X_ij = x_ij;
-  if constexpr (initial) X_ij = i.X - broadcast_vector(n.build_position, j);
+  if constexpr (T::initial) X_ij = i.X - broadcast_vector(n.build_position, j);
   const Pack slope = Pack(p.volume(j)) * pair_slope(X_ij, inverse_h);
   const auto grad = slope * X_ij, line = slope * x_ij;
   const Pack xv = dot(x_ij, v_ij);
-  const PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
+  PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
+  if constexpr (T::stiff) {
+    q.hourglass += hourglass_stress(i, p, j, x_ij, q, m, dt);
+    s.hourglass_rate = s.hourglass_rate - q.beyond_linear * grad;
+  }
   s.gradient = s.gradient + grad;
   s.neighbor_stress =
       s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - (q.shock + q.hourglass) * line;
   const Pack rate = dot(line, v_ij);
   s.viscous_power += q.shock * rate;
   s.hourglass_power += q.hourglass * rate;
-  if constexpr (artificial) {
+  if constexpr (T::artificial) {
     const Pack weight = artificial_weight(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h, m);
     const auto repulsion = multiply(i.R + broadcast_symmetric(p.artificial_stress, j), weight * grad);
     s.neighbor_stress = s.neighbor_stress + repulsion;
@@ -82,35 +106,39 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
   }
 }
 
-template <bool artificial, bool initial>
+template <class T>
 KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& n, int cluster,
-                                           const Lanes& lanes, const ParticleMethod& m) {
+                                           const Lanes& lanes, const ParticleMethod& m, Real dt) {
   const Pack zero(Real(0));
-  ForceSums s{{zero, zero, zero}, {zero, zero, zero}, zero, zero};
+  ForceSums s{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}, zero, zero};
   const Cluster i{.x = lanes.load_vector(p.position),
-                  .X = lanes.load_vector(initial ? n.build_position : p.position),
+                  .X = lanes.load_vector(T::initial ? n.build_position : p.position),
                   .v = lanes.load_vector(p.velocity),
+                  .d = T::stiff ? lanes.load_vector(p.hourglass_displacement)
+                                : Vector3Of<Pack>{zero, zero, zero},
                   .D = lanes.load_symmetric(p.strain_rate),
                   .R = lanes.load_symmetric(p.artificial_stress),
                   .inverse_h = Pack(Real(1)) / lanes.load(p.smoothing_length),
                   .impedance = lanes.load(p.impedance, 0),
-                  .density = lanes.load(p.impedance, 1)};
+                  .density = lanes.load(p.impedance, 1),
+                  .shear_modulus = lanes.load(p.impedance, 2)};
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k)
-    add_pair<artificial, initial>(s, i, p, n, n.neighbor(k), m);
+    add_pair<T>(s, i, p, n, n.neighbor(k), m, dt);
   return s;
 }
 
-template <bool artificial, bool initial>
+template <class T>
 void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Real dt) {
   Kokkos::parallel_for(
       "particle_forces", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};
-        const ForceSums s = sum_pairs<artificial, initial>(p, n, cluster, lanes, m);
+        const ForceSums s = sum_pairs<T>(p, n, cluster, lanes, m, dt);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
           const Vector3 own = multiply(load_tensor(p.pair_stress, i), lane_of(s.gradient, lane));
           const Vector3 f = lane_of(s.neighbor_stress, lane) + own;
           store_vector(p.force, i, p.volume(i) * f);
+          if constexpr (T::stiff) store_vector(p.hourglass_rate, i, lane_of(s.hourglass_rate, lane));
           p.viscous_work(i) += Real(0.5) * dt * p.volume(i) * lane_of(s.viscous_power, lane);
           p.hourglass_work(i) += Real(0.5) * dt * p.volume(i) * lane_of(s.hourglass_power, lane);
         }
@@ -119,15 +147,15 @@ void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Rea
 
 } // namespace
 
-// The artificial stress is a template parameter because its sums cost a third of the pass when it is off. In
-// the initial frame there is none.
+// In the initial frame there is no artificial stress.
 void particle_forces(const Particles& p, const Neighbors& n, const ParticleMethod& m, Real dt) {
+  const bool artificial = m.artificial_stress > 0, stiff = m.hourglass_stiffness > 0;
   if (m.initial_frame)
-    launch<false, true>(p, n, m, dt);
-  else if (m.artificial_stress > 0)
-    launch<true, false>(p, n, m, dt);
+    stiff ? launch<Terms<false, true, true>>(p, n, m, dt) : launch<Terms<false, false, true>>(p, n, m, dt);
+  else if (artificial)
+    stiff ? launch<Terms<true, true>>(p, n, m, dt) : launch<Terms<true, false>>(p, n, m, dt);
   else
-    launch<false, false>(p, n, m, dt);
+    stiff ? launch<Terms<false, true>>(p, n, m, dt) : launch<Terms<false, false>>(p, n, m, dt);
 }
 
 } // namespace swarf

@@ -23,6 +23,7 @@ void prepare_pair_state(const Particles& p, const MaterialTable& materials, cons
         const Real speed = longitudinal_wave_speed(materials(points.material(i))) / Kokkos::sqrt(mass_factor);
         p.impedance(i, 0) = density * speed;
         p.impedance(i, 1) = density;
+        p.impedance(i, 2) = materials(points.material(i)).shear_modulus;
         p.volume(i) = points.mass(i) / (initial ? materials(points.material(i)).density : points.density(i));
       });
 }

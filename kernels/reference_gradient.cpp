@@ -5,7 +5,8 @@
 // The correction J F^-T K0 makes sigma the first Piola-Kirchhoff stress times K0: the forces of
 // particle_forces, with grad W(X_ij), then do the work of the stresses, V0 J sigma : L.
 // Reads position, velocity, volume (V0), smoothing_length, build_position (X). Writes velocity_gradient,
-// correction, deformation_gradient, rows [0, count + tied). Where J <= 0 the density becomes negative: update_stress reports it.
+// correction, deformation_gradient, rows [0, count + tied). Where J <= 0 the density becomes negative:
+// update_stress reports it.
 #include "correction.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"

@@ -16,7 +16,7 @@ void update_images(const Particles& p, const Neighbors& n, const ImagePlanes& pl
           store_vector(p.velocity, to, multiply(map.R, load_vector(p.velocity, i)));
           p.volume(to) = p.volume(i);
           p.smoothing_length(to) = p.smoothing_length(i);
-          p.impedance(to, 0) = p.impedance(i, 0), p.impedance(to, 1) = p.impedance(i, 1);
+          for (int c = 0; c < 3; ++c) p.impedance(to, c) = p.impedance(i, c);
         });
   }
 }
@@ -24,6 +24,7 @@ void update_images(const Particles& p, const Neighbors& n, const ImagePlanes& pl
 void update_image_state(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
   const int first = n.image_first;
   const auto source = n.image_source;
+  const bool hourglass = p.hourglass_displacement.extent(0) > 0;
   for (int k = 0; k < n.planes; ++k) {
     const Tensor3 R = planes[k].to_image.R;
     Kokkos::parallel_for(
@@ -33,7 +34,9 @@ void update_image_state(const Particles& p, const Neighbors& n, const ImagePlane
           store_tensor(p.pair_stress, to, multiply(multiply(R, stress), transpose(R)));
           store_symmetric(p.strain_rate, to, rotate(R, load_symmetric(p.strain_rate, i)));
           store_symmetric(p.artificial_stress, to, rotate(R, load_symmetric(p.artificial_stress, i)));
-          p.impedance(to, 0) = p.impedance(i, 0), p.impedance(to, 1) = p.impedance(i, 1);
+          for (int c = 0; c < 3; ++c) p.impedance(to, c) = p.impedance(i, c);
+          if (hourglass)
+            store_vector(p.hourglass_displacement, to, multiply(R, load_vector(p.hourglass_displacement, i)));
           p.volume(to) = p.volume(i); // the stress update changed the density
         });
   }

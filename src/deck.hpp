@@ -88,7 +88,7 @@ struct ParticlesDeck {
   std::string density;          // continuity | summation
   bool correction = true, correct_forces = true;
   std::string viscosity_form; // reconstructed | monaghan
-  double viscosity_linear = 0, viscosity_quadratic = 0, hourglass_viscosity = 0;
+  double viscosity_linear = 0, viscosity_quadratic = 0, hourglass_viscosity = 0, hourglass_stiffness = 0;
   double artificial_stress = 0, artificial_stress_exponent = 4, pressure_diffusion = 0;
   double xsph = 0;
   double skin = 0.1; // of the support

@@ -47,6 +47,8 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
     field = std::decay_t<decltype(field)>(name, std::size_t(n));
   };
   p.for_each_field([&](const std::string& name, auto& field) {
+    const bool stiff = deck.particles.hourglass_stiffness > 0;
+    if ((name == "hourglass_displacement" || name == "hourglass_rate") && !stiff) return;
     if (name == "reference_summation" && deck.particles.density != "summation") return;
     allocate(name, field);
   });
@@ -89,7 +91,7 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   p.body = upload<IndexField>("body", n, index([](const Row& r) { return r.body->row; }));
   p.identity = upload<IndexField>("identity", n, [](auto& f, int i) { f(i) = i; });
   // As prepare_pair_state leaves it, for sums that come before it in the first step.
-  p.impedance = upload<View<Real* [2]>>("impedance", n, [&](auto& f, int i) {
+  p.impedance = upload<View<Real* [3]>>("impedance", n, [&](auto& f, int i) {
     const Material m = make_material(deck.materials[std::size_t(rows[std::size_t(i)].material)]);
     const double scaled = deck.run.mass_factor * double(m.density);
     f(i, 0) = Real(scaled * double(longitudinal_wave_speed(m)) / std::sqrt(deck.run.mass_factor)),

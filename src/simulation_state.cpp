@@ -17,6 +17,7 @@ ParticleMethod particle_method_of(const Deck& deck) {
   m.viscosity_linear = Real(deck.particles.viscosity_linear);
   m.viscosity_quadratic = Real(deck.particles.viscosity_quadratic);
   m.hourglass_viscosity = Real(deck.particles.hourglass_viscosity);
+  m.hourglass_stiffness = Real(deck.particles.hourglass_stiffness);
   m.artificial_stress = Real(deck.particles.artificial_stress);
   m.artificial_stress_exponent = int(std::lround(deck.particles.artificial_stress_exponent));
   m.spacing_ratio = Real(1 / deck.particles.smoothing_ratio);

@@ -1,4 +1,5 @@
 #include "swarf/kernels.hpp"
+#include "swarf/stress_update.hpp"
 
 #include "support/hex_step.hpp"
 #include "support/materials.hpp"

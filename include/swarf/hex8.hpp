@@ -162,13 +162,6 @@ struct Hourglass {
   Real work;      // of this step, J
 };
 
-// Share of the trial deviator that the radial return left, sigma_y / (sigma_y + 3 G d eps).
-SWARF_FN Real share_kept(const Material& mat, const Symmetric3& stress, Real plastic_increment) {
-  if (!(plastic_increment > Real(0))) return 1;
-  const Real flow = von_mises(stress);
-  return flow / (flow + Real(3) * mat.shear_modulus * plastic_increment);
-}
-
 // Generalised forces at the end of the step. Stiffness control: Q turns with the material, grows by k q dt,
 // and returns with the deviator: to first order in what the hourglass adds to the mean stress, J2 flow takes
 // the same share of every deviator at right angles to the mean one, so that a flowing hex resists as a fluid

@@ -19,6 +19,7 @@ struct ParticleMethod {
   bool reconstruct_viscosity = true; // viscosity sees only what a linear velocity field does not explain
   Real viscosity_linear = 0, viscosity_quadratic = 0;
   Real hourglass_viscosity = 0; // times Z: damps motion that the velocity gradient does not see
+  Real hourglass_stiffness = 0; // times the shear modulus: resists the same motion
   Real artificial_stress = 0;   // epsilon of Gray, Monaghan & Swift (2001)
   int artificial_stress_exponent = 4;
   Real spacing_ratio = 0; // spacing / h of the initial lattice, where the artificial stress is full
@@ -50,6 +51,7 @@ void reference_gradient(const Particles&, const Neighbors&);                // t
 void sum_density(const Particles&, const Neighbors&, const MaterialTable&); // density by summation
 void evolve_smoothing_length(const Particles&, Real dt);
 void prepare_pair_state(const Particles&, const MaterialTable&, const ParticleMethod&);
+void evolve_hourglass(const Particles&, const MaterialTable&, Real dt); // hourglass_displacement
 void particle_forces(const Particles&, const Neighbors&, const ParticleMethod&, Real dt);
 struct PressureDiffusion {
   Real coefficient; // delta

@@ -30,12 +30,15 @@ struct Particles {
   View<Real* [2]> heat_state;       // T (K) and k (W/(m K)), and
   SymmetricField heat_shape;        // K: for conduct_heat; 0 rows without conduction
   View<Real* [4]> pressure_state;   // p (Pa) and its gradient, for diffuse_pressure; 0 rows without it
-  View<Real* [2]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), for the viscosity
+  View<Real* [3]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), shear modulus (Pa)
+  VectorField
+      hourglass_displacement; // m, what neighbours' gradients do not explain; 0 rows without stiffness
 
   VectorField drift_velocity; // m/s, rows [0, count); 0 rows without XSPH
   ScalarField heat;           // J that conduction brought last, rows [0, count + tied); 0 rows without it
 
   // History that belongs to the particle.
+  VectorField hourglass_rate;      // m/s, of hourglass_displacement
   ScalarField reference_summation; // initial sum of m W (density = "summation", else 0 rows)
   VectorField friction_force;      // N, stick-slip memory
   VectorField contact_force;       // N, of the tool on the particle, this step
@@ -57,6 +60,7 @@ struct Particles {
     visit("position", position), visit("velocity", velocity), visit("force", force);
     visit("smoothing_length", smoothing_length), visit("volume", volume), visit("impedance", impedance);
     visit("reference_summation", reference_summation);
+    visit("hourglass_displacement", hourglass_displacement), visit("hourglass_rate", hourglass_rate);
     visit("friction_force", friction_force), visit("contact_force", contact_force);
     visit("friction_work", friction_work), visit("viscous_work", viscous_work),
         visit("hourglass_work", hourglass_work);

@@ -119,6 +119,13 @@ SWARF_FN ReturnMapping return_radially(const Material& mat, Real trial_von_mises
   return {d, flow.value, residual, max_iterations, false};
 }
 
+// Share of the trial deviator that the radial return left, sigma_y / (sigma_y + 3 G d eps).
+SWARF_FN Real share_kept(const Material& mat, const Symmetric3& stress, Real plastic_increment) {
+  if (!(plastic_increment > Real(0))) return 1;
+  const Real flow = von_mises(stress);
+  return flow / (flow + Real(3) * mat.shear_modulus * plastic_increment);
+}
+
 // True without a power or a logarithm wherever the point is clearly elastic: 1 - x^m >= min(m, 1) (1 - x).
 SWARF_FN bool is_clearly_elastic(const Material& mat, Real trial_von_mises, Real temperature) {
   if (mat.law == FlowLaw::elastic) return true;
