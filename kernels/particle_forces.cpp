@@ -90,7 +90,7 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
   PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
   if constexpr (T::stiff) {
     q.hourglass += hourglass_stress(i, p, j, x_ij, q, m, dt);
-    s.hourglass_rate = s.hourglass_rate - q.beyond_linear * grad;
+    s.hourglass_rate = s.hourglass_rate - q.beyond_linear * line;
   }
   s.gradient = s.gradient + grad;
   s.neighbor_stress =

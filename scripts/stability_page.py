@@ -209,9 +209,10 @@ def changes(matrix):
 
 
 PAIRS = [("corrected", "plain"), ("artificial_stress", "corrected"), ("pressure_diffusion", "corrected"),
-         ("hourglass_viscosity", "corrected"), ("xsph", "corrected"), ("reconstructed", "corrected"), ("defaults", "reconstructed"),
+         ("hourglass_viscosity", "corrected"), ("hourglass_stiffness", "corrected"), ("xsph", "corrected"), ("reconstructed", "corrected"), ("defaults", "reconstructed"),
          ("defaults_artificial_stress", "defaults"), ("defaults_pressure_diffusion", "defaults"),
-         ("defaults_xsph", "defaults"), ("cutting", "defaults"), ("total_lagrangian_viscous", "total_lagrangian"),
+         ("defaults_stiff", "defaults"), ("defaults_stiffer", "defaults_stiff"), ("defaults_xsph", "defaults"), ("cutting", "defaults"), ("cutting_stiff", "cutting"), ("total_lagrangian_viscous", "total_lagrangian"),
+         ("total_lagrangian_stiff", "total_lagrangian_viscous"),
          ("total_lagrangian_viscous", "defaults"), ("hexes_viscous", "hexes_stiffness"),
          ("hexes_stiffness_deleted", "hexes_stiffness"), ("hexes_viscous_deleted", "hexes_viscous")]
 

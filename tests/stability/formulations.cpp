@@ -41,10 +41,12 @@ void cutting(Deck& deck) {
   deck.particles = cut.particles;
 }
 
-Formulation total_lagrangian(const std::string& name, const std::string& text, double hourglass_viscosity) {
+Formulation total_lagrangian(const std::string& name, const std::string& text, double hourglass_viscosity,
+                             double hourglass_stiffness) {
   return {name, text, "particles", false, false, [=](Deck& d) {
             defaults(d);
             d.particles.kernel_frame = "initial", d.particles.hourglass_viscosity = hourglass_viscosity;
+            d.particles.hourglass_stiffness = hourglass_stiffness;
           }};
 }
 
@@ -54,6 +56,9 @@ std::vector<Formulation> make() {
   const Change pressure_diffusion = [](ParticlesDeck& p) { p.pressure_diffusion = 0.003; };
   const Change hourglass_viscosity = [](ParticlesDeck& p) { p.hourglass_viscosity = 0.3; };
   const Change reconstructed = [](ParticlesDeck& p) { p.viscosity_form = "reconstructed"; };
+  const auto hourglass_stiffness = [](double share) {
+    return [=](ParticlesDeck& p) { p.hourglass_stiffness = share; };
+  };
   const Change xsph = [](ParticlesDeck& p) { p.xsph = 0.5; };
   const std::string stiffness = "hexes, stiffness hourglass control",
                     viscous = "hexes, viscous hourglass control";
@@ -63,16 +68,24 @@ std::vector<Formulation> make() {
       changed("artificial_stress", "corrected + artificial stress 0.3", corrected, artificial_stress),
       changed("pressure_diffusion", "corrected + pressure diffusion 0.003", corrected, pressure_diffusion),
       changed("hourglass_viscosity", "corrected + hourglass viscosity 0.3", corrected, hourglass_viscosity),
+      changed("hourglass_stiffness", "corrected + hourglass stiffness 0.3", corrected,
+              hourglass_stiffness(0.3)),
       changed("xsph", "corrected + XSPH 0.5", corrected, xsph),
       changed("reconstructed", "corrected + reconstructed viscosity", corrected, reconstructed),
       changed("defaults", "shipped defaults", defaults, none),
       changed("defaults_artificial_stress", "defaults + artificial stress 0.3", defaults, artificial_stress),
       changed("defaults_pressure_diffusion", "defaults + pressure diffusion 0.003", defaults,
               pressure_diffusion),
+      changed("defaults_stiff", "defaults + hourglass stiffness 0.3", defaults, hourglass_stiffness(0.3)),
+      changed("defaults_stiffer", "defaults + hourglass stiffness 3", defaults, hourglass_stiffness(3)),
       changed("defaults_xsph", "defaults + XSPH 0.5", defaults, xsph),
       changed("cutting", "as the cutting decks", cutting, none),
-      total_lagrangian("total_lagrangian", "total Lagrangian", 0),
-      total_lagrangian("total_lagrangian_viscous", "total Lagrangian + hourglass viscosity 0.3", 0.3),
+      changed("cutting_stiff", "as the cutting decks + hourglass stiffness 0.3", cutting,
+              hourglass_stiffness(0.3)),
+      total_lagrangian("total_lagrangian", "total Lagrangian", 0, 0),
+      total_lagrangian("total_lagrangian_viscous", "total Lagrangian + hourglass viscosity 0.3", 0.3, 0),
+      total_lagrangian("total_lagrangian_stiff", "total Lagrangian + hourglass viscosity, stiffness 0.3", 0.3,
+                       0.3),
       {"hexes_stiffness", stiffness + " (shipped)", "hexes", false, true,
        [](Deck& d) { hexes(d, "stiffness", false); }},
       {"hexes_viscous", viscous, "hexes", false, true, [](Deck& d) { hexes(d, "viscous", false); }},
