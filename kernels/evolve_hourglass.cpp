@@ -1,5 +1,4 @@
 // d_i += b_i dt,  b_i = -sum_j V_j [x_ij . (v_ij - (D_i + D_j) x_ij / 2)] grad W_ij
-// (in the initial frame along x_ij with its slope, as the forces act: the body may have turned).
 // The displacement that the velocity gradients do not explain: in a lattice whose neighbours move against
 // each other b is the velocity itself, in a linear field it is zero. It turns with the material and returns
 // with the deviator, as the hourglass forces of the hexes do (hex8.hpp); particle_forces resists differences

@@ -37,6 +37,7 @@ void ensure_image_rows(Particles& p, int rows) {
   ensure_rows(p.pair_stress, room), ensure_rows(p.strain_rate, room);
   ensure_rows(p.artificial_stress, room), ensure_rows(p.impedance, room);
   if (p.hourglass_displacement.extent(0) > 0) ensure_rows(p.hourglass_displacement, room);
+  if (p.deformation_gradient.extent(0) > 0) ensure_rows(p.deformation_gradient, room);
   if (p.pressure_state.extent(0) > 0) ensure_rows(p.pressure_state, room);
   if (p.heat_state.extent(0) > 0) ensure_rows(p.heat_state, room), ensure_rows(p.heat_shape, room);
 }

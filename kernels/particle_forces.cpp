@@ -30,6 +30,7 @@ struct ForceSums {
 
 struct Cluster {
   Vector3Of<Pack> x, X, v, d;
+  Tensor3Of<Pack> F;
   Symmetric3Of<Pack> D, R;
   Pack inverse_h, impedance, density, shear_modulus;
 };
@@ -66,14 +67,29 @@ KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const Particle
   return power;
 }
 
-// Pa. The displacement lacks what this step adds to it.
-KOKKOS_FORCEINLINE_FUNCTION Pack hourglass_stress(const Cluster& i, const Particles& p, int j,
-                                                  const Vector3Of<Pack>& x_ij, const PairViscosity& q,
-                                                  const ParticleMethod& m, Real dt) {
-  const Pack stretch =
-      dot(x_ij, i.d - broadcast_vector(p.hourglass_displacement, j)) + Pack(dt) * q.beyond_linear;
-  const Pack modulus = Pack(Real(-0.5) * m.hourglass_stiffness) * (i.shear_modulus + Pack(p.impedance(j, 2)));
-  return modulus * stretch * q.per_area;
+struct PairSpring {
+  Pack end, mean; // Pa, at the end of the step; the mean over it, whose work is that of the forces
+};
+
+// Resists what no gradient sees: differences of hourglass_displacement, which lacks what this step adds to
+// it; in the initial frame elongations that F does not explain (Ganzenmueller 2015).
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION PairSpring pair_spring(const Cluster& i, const Particles& p, int j,
+                                                   const Vector3Of<Pack>& x_ij, const Vector3Of<Pack>& X_ij,
+                                                   const Pack& inverse_h, const PairViscosity& q,
+                                                   const ParticleMethod& m, Real dt) {
+  const Pack half(Real(0.5)), grown = Pack(dt) * q.beyond_linear;
+  const Pack modulus = Pack(-m.hourglass_stiffness) * half * (i.shear_modulus + Pack(p.impedance(j, 2)));
+  if constexpr (T::initial) {
+    const auto F = i.F + broadcast_tensor(p.deformation_gradient, j);
+    const Pack stretch = dot(x_ij, x_ij - half * multiply(F, X_ij));
+    const Pack stiffness = modulus / (dot(X_ij, X_ij) + Pack(Real(0.01)) / (inverse_h * inverse_h));
+    return {stiffness * stretch, stiffness * (stretch - half * grown)};
+  } else {
+    const Pack stretch = dot(x_ij, i.d - broadcast_vector(p.hourglass_displacement, j)) + grown;
+    const Pack stiffness = modulus * q.per_area;
+    return {stiffness * stretch, stiffness * (stretch - half * grown)};
+  }
 }
 
 template <class T>
@@ -88,16 +104,18 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
   const auto grad = slope * X_ij, line = slope * x_ij;
   const Pack xv = dot(x_ij, v_ij);
   PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
+  Pack hourglass = q.hourglass; // whose work counts
   if constexpr (T::stiff) {
-    q.hourglass += hourglass_stress(i, p, j, x_ij, q, m, dt);
-    s.hourglass_rate = s.hourglass_rate - q.beyond_linear * line;
+    const PairSpring spring = pair_spring<T>(i, p, j, x_ij, X_ij, inverse_h, q, m, dt);
+    q.hourglass += spring.end, hourglass += spring.mean;
+    if constexpr (!T::initial) s.hourglass_rate = s.hourglass_rate - q.beyond_linear * grad;
   }
   s.gradient = s.gradient + grad;
   s.neighbor_stress =
       s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - (q.shock + q.hourglass) * line;
   const Pack rate = dot(line, v_ij);
   s.viscous_power += q.shock * rate;
-  s.hourglass_power += q.hourglass * rate;
+  s.hourglass_power += hourglass * rate;
   if constexpr (T::artificial) {
     const Pack weight = artificial_weight(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h, m);
     const auto repulsion = multiply(i.R + broadcast_symmetric(p.artificial_stress, j), weight * grad);
@@ -114,8 +132,9 @@ KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& 
   const Cluster i{.x = lanes.load_vector(p.position),
                   .X = lanes.load_vector(T::initial ? n.build_position : p.position),
                   .v = lanes.load_vector(p.velocity),
-                  .d = T::stiff ? lanes.load_vector(p.hourglass_displacement)
-                                : Vector3Of<Pack>{zero, zero, zero},
+                  .d = T::stiff && !T::initial ? lanes.load_vector(p.hourglass_displacement)
+                                               : Vector3Of<Pack>{zero, zero, zero},
+                  .F = T::stiff && T::initial ? lanes.load_tensor(p.deformation_gradient) : Tensor3Of<Pack>{},
                   .D = lanes.load_symmetric(p.strain_rate),
                   .R = lanes.load_symmetric(p.artificial_stress),
                   .inverse_h = Pack(Real(1)) / lanes.load(p.smoothing_length),
@@ -138,7 +157,8 @@ void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Rea
           const Vector3 own = multiply(load_tensor(p.pair_stress, i), lane_of(s.gradient, lane));
           const Vector3 f = lane_of(s.neighbor_stress, lane) + own;
           store_vector(p.force, i, p.volume(i) * f);
-          if constexpr (T::stiff) store_vector(p.hourglass_rate, i, lane_of(s.hourglass_rate, lane));
+          if constexpr (T::stiff && !T::initial)
+            store_vector(p.hourglass_rate, i, lane_of(s.hourglass_rate, lane));
           p.viscous_work(i) += Real(0.5) * dt * p.volume(i) * lane_of(s.viscous_power, lane);
           p.hourglass_work(i) += Real(0.5) * dt * p.volume(i) * lane_of(s.hourglass_power, lane);
         }

@@ -4,6 +4,7 @@
 // stress.
 #include "swarf/artificial_stress.hpp"
 #include "swarf/kernels.hpp"
+#include "swarf/stress_update.hpp"
 
 namespace swarf {
 
@@ -24,6 +25,10 @@ void prepare_pair_state(const Particles& p, const MaterialTable& materials, cons
         p.impedance(i, 0) = density * speed;
         p.impedance(i, 1) = density;
         p.impedance(i, 2) = materials(points.material(i)).shear_modulus;
+        if (initial) // of a deformation that has flowed, the secant modulus
+          p.impedance(i, 2) *= points.damage(i) < Real(1) ? share_kept(materials(points.material(i)), stress,
+                                                                       points.equivalent_plastic_strain(i))
+                                                          : Real(0);
         p.volume(i) = points.mass(i) / (initial ? materials(points.material(i)).density : points.density(i));
       });
 }

@@ -23,6 +23,7 @@ void update_images(const Particles& p, const Neighbors& n, const ImagePlanes& pl
 
 void update_image_state(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
   const int first = n.image_first;
+  const bool initial_frame = p.deformation_gradient.extent(0) > 0;
   const auto source = n.image_source;
   const bool hourglass = p.hourglass_displacement.extent(0) > 0;
   for (int k = 0; k < n.planes; ++k) {
@@ -37,6 +38,10 @@ void update_image_state(const Particles& p, const Neighbors& n, const ImagePlane
           for (int c = 0; c < 3; ++c) p.impedance(to, c) = p.impedance(i, c);
           if (hourglass)
             store_vector(p.hourglass_displacement, to, multiply(R, load_vector(p.hourglass_displacement, i)));
+          if (initial_frame) {
+            const Tensor3 F = load_tensor(p.deformation_gradient, i);
+            store_tensor(p.deformation_gradient, to, multiply(multiply(R, F), transpose(R)));
+          }
           p.volume(to) = p.volume(i); // the stress update changed the density
         });
   }

@@ -47,7 +47,7 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
     field = std::decay_t<decltype(field)>(name, std::size_t(n));
   };
   p.for_each_field([&](const std::string& name, auto& field) {
-    const bool stiff = deck.particles.hourglass_stiffness > 0;
+    const bool stiff = deck.particles.hourglass_stiffness > 0 && deck.particles.kernel_frame != "initial";
     if ((name == "hourglass_displacement" || name == "hourglass_rate") && !stiff) return;
     if (name == "reference_summation" && deck.particles.density != "summation") return;
     allocate(name, field);

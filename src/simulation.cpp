@@ -111,7 +111,8 @@ void Simulation::smooth_pressure() {
 
 void Simulation::compute_forces() {
   const Real dt = Real(step_size);
-  if (deck.particles.hourglass_stiffness > 0) evolve_hourglass(model.particles, model.materials, dt);
+  if (deck.particles.hourglass_stiffness > 0 && !particle_method.initial_frame)
+    evolve_hourglass(model.particles, model.materials, dt);
   prepare_pair_state(model.particles, model.materials, particle_method);
   update_image_state(model.particles, lists, model.image_planes);
   timer.mark("tie and images");

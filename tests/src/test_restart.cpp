@@ -109,8 +109,10 @@ TEST(Restart, killed_with_other_methods) {
 TEST(Restart, killed_in_the_initial_frame) {
   const TemporaryFolder folder;
   const std::string deck = write_deck(
-      folder, edit_small_deck({{"conductivity = \"7.2 W/m/K\"\n", ""},
-                               {"\"fixed\"\n[hexes]", "\"fixed\"\nkernel_frame = \"initial\"\n[hexes]"}}));
+      folder,
+      edit_small_deck({{"conductivity = \"7.2 W/m/K\"\n", ""},
+                       {"\"fixed\"\n[hexes]",
+                        "\"fixed\"\nkernel_frame = \"initial\"\nhourglass_stiffness = 1.0\n[hexes]"}}));
   const std::size_t whole = run_whole(deck, folder / "whole");
   run_with_kills(deck, folder / "killed", whole, 3);
   expect_equal(folder / "whole", folder / "killed");

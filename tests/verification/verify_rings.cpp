@@ -137,11 +137,15 @@ TEST(Rings, Rebound) {
 
 TEST(Rings, ReboundInTheInitialFrame) {
   const Bounce reference = bounce(against_wall(ring_of("hexes", 6)), ring_time, 0);
-  Deck deck = against_wall(ring_of("particles", 4));
-  deck.particles.kernel_frame = "initial";
-  const Bounce particles = bounce(deck, ring_time, 0.01 / 4);
-  report_bounce({"4 rubber ring on a wall, particles, total Lagrangian", "4 across, 0.059 c0", 0.05},
-                particles, reference, 1, false, false, soft_bending);
+  for (const double stiffness : {0.0, 1.0}) {
+    Deck deck = against_wall(ring_of("particles", 4));
+    deck.particles.kernel_frame = "initial", deck.particles.hourglass_stiffness = stiffness;
+    const Bounce particles = bounce(deck, ring_time, 0.01 / 4);
+    report_bounce({"4 rubber ring on a wall, particles, total Lagrangian",
+                   std::string("4 across, 0.059 c0") + (stiffness > 0 ? ", hourglass stiffness 1" : ""),
+                   0.05},
+                  particles, reference, 1, false, false, soft_bending);
+  }
 }
 
 TEST(Spheres, Rebound) {
