@@ -82,6 +82,8 @@ std::vector<Formulation> make() {
       changed("cutting", "as the cutting decks", cutting, none),
       changed("cutting_stiff", "as the cutting decks + hourglass stiffness 0.3", cutting,
               hourglass_stiffness(0.3)),
+      changed("cutting_stiff_only", "as the cutting decks, hourglass stiffness 0.3 for artificial stress",
+              cutting, [](ParticlesDeck& p) { p.artificial_stress = 0, p.hourglass_stiffness = 0.3; }),
       total_lagrangian("total_lagrangian", "total Lagrangian", 0, 0),
       total_lagrangian("total_lagrangian_viscous", "total Lagrangian + hourglass viscosity 0.3", 0.3, 0),
       total_lagrangian("total_lagrangian_stiff", "total Lagrangian + hourglass viscosity, stiffness 0.3", 0.3,
