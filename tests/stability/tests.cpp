@@ -6,10 +6,11 @@ namespace {
 
 const char* const pairing =
     "The velocity gradient does not see neighbours that move in pairs, and tension drives them. An "
-    "artificial stress "
-    "delays it: in three dimensions no share of it holds a lattice that is stretched by a few per cent "
+    "artificial stress delays it: in three dimensions no share of it holds a lattice that is stretched by a "
+    "few per cent "
     "(verification, 'artificial stress that holds'). A stiffness against what the gradient does not see "
-    "holds it if it is larger than the tension's drive. Kernels of the initial positions have no such mode.";
+    "holds it "
+    "if it is larger than the tension's drive. Kernels of the initial positions have no such mode.";
 
 }
 
