@@ -77,7 +77,7 @@ std::vector<Formulation> make() {
       changed("defaults_pressure_diffusion", "defaults + pressure diffusion 0.003", defaults,
               pressure_diffusion),
       changed("defaults_stiff", "defaults + hourglass stiffness 0.3", defaults, hourglass_stiffness(0.3)),
-      changed("defaults_stiffer", "defaults + hourglass stiffness 3", defaults, hourglass_stiffness(3)),
+      changed("defaults_stiffer", "defaults + hourglass stiffness 2", defaults, hourglass_stiffness(2)),
       changed("defaults_xsph", "defaults + XSPH 0.5", defaults, xsph),
       changed("cutting", "as the cutting decks", cutting, none),
       changed("cutting_stiff", "as the cutting decks + hourglass stiffness 0.3", cutting,
