@@ -61,10 +61,10 @@ DEFAULTS = """
   between viscosity 0 and 0.5, {monaghan} with Monaghan's.
 - `particles.hourglass_viscosity` = 0.3: of a zero-energy mode {damped} is left, {undamped} without; rotation and disorder
   stay clean. It damps and does not hold.
-- `particles.hourglass_stiffness` holds: with 0.3 rings, plates and zero-energy modes are stable and no cell falls into a
-  worse class than with the defaults. The pulled strip, a tension that no metal bears, asks for
-  2, which breaks above a Courant number of {stiffer}. In the cut it
-  adds to the noise of the pressure ({noise}, {stiff_noise} with 0.3, {stiffer_noise} with 2, of the yield stress).
+- `particles.hourglass_stiffness` holds: with 0.3 rings, plates and zero-energy modes are stable and no cell falls into
+  a worse class than with the defaults. The pulled strip, a tension that no metal bears, asks for 2, which breaks above
+  a Courant number of {stiffer}. In the cut it adds to the noise of the pressure ({noise} of the yield stress without,
+  {stiff_noise} with 0.3, {stiffer_noise} with 2).
 - `particles.artificial_stress` = 0; 0.3 in the decks that cut: ring and plate hold with it. But on a lattice out of
   order it makes noise and energy, and it does not save a strip that is pulled on. Put in its place, a hourglass
   stiffness of 0.3 serves the cutting decks better (below).
