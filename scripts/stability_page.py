@@ -112,10 +112,11 @@ def draw(matrix, file):
             name, text = matrix.cell(row, test)
             color, ink = LOOKS[name]
             axes.add_patch(plt.Rectangle((x, y), 1, 1, facecolor=color, edgecolor="white", linewidth=1.5))
-            axes.text(x + 0.5, y + 0.5, "\n".join(textwrap.wrap(text.replace(" %", "\u00a0%"), 14)), ha="center", va="center", fontsize=6.5,
-                      color=ink, linespacing=0.95)
+            axes.text(x + 0.5, y + 0.5, "\n".join(textwrap.wrap(text.replace(" %", "\u00a0%"), 12)), ha="center",
+                      va="center", fontsize=6.5, color=ink, linespacing=0.95)
     axes.set(xlim=(0, len(tests)), ylim=(len(rows), 0))
-    axes.set_yticks([y + 0.5 for y in range(len(rows))], [row["text"] for row in rows], fontsize=8)
+    axes.set_yticks([y + 0.5 for y in range(len(rows))], ["\n".join(textwrap.wrap(row["text"], 44)) for row in rows],
+                    fontsize=8)
     axes.set_xticks([x + 0.5 for x in range(len(tests))], ["\n".join(textwrap.wrap(t["title"], 12)) for t in tests],
                     fontsize=8)
     axes.xaxis.tick_top()
@@ -124,7 +125,8 @@ def draw(matrix, file):
         spine.set_visible(False)
     handles = [plt.Rectangle((0, 0), 1, 1, facecolor=LOOKS[name][0], edgecolor="0.6") for name in LOOKS if name]
     names = [name for name in LOOKS if name]
-    axes.legend(handles[:3], names[:3], loc="upper center", bbox_to_anchor=(0.5, -0.005), ncols=3, fontsize=8, frameon=False)
+    axes.legend(handles[:3], names[:3], loc="upper center", bbox_to_anchor=(0.5, -0.005), ncols=3, fontsize=8,
+                frameon=False)
     for kind in ("png", "svg"):
         figure.savefig(f"{file}.{kind}", dpi=150, metadata={"Date": None} if kind == "svg" else {"Software": None})
     plt.close(figure)
@@ -138,7 +140,8 @@ def defaults(matrix):
     def percent(*cell):
         return f"{number(100 * value(*cell))} %"
     try:
-        courant = min(result["measures"]["courant"] for (_, test), result in matrix.results.items() if test == "courant")
+        courant = min(result["measures"]["courant"]
+                      for (_, test), result in matrix.results.items() if test == "courant")
         return DEFAULTS.format(
             reconstructed=percent("reconstructed", "viscosity", "viscosity_shipped"),
             monaghan=percent("corrected", "viscosity", "viscosity_shipped"),
@@ -219,14 +222,16 @@ def changes(matrix):
                + ("; worse in " + ", ".join(worse) if worse else "; worse in nothing") + ".")
 
 
-PAIRS = [("corrected", "plain"), ("artificial_stress", "corrected"), ("pressure_diffusion", "corrected"),
-         ("hourglass_viscosity", "corrected"), ("hourglass_stiffness", "corrected"), ("xsph", "corrected"), ("reconstructed", "corrected"), ("defaults", "reconstructed"),
-         ("defaults_artificial_stress", "defaults"), ("defaults_pressure_diffusion", "defaults"),
-         ("defaults_stiff", "defaults"), ("defaults_stiffer", "defaults_stiff"), ("defaults_xsph", "defaults"), ("cutting", "defaults"), ("cutting_stiff", "cutting"),
-         ("cutting_stiff_only", "cutting"), ("total_lagrangian_viscous", "total_lagrangian"),
-         ("total_lagrangian_stiff", "total_lagrangian_viscous"),
-         ("total_lagrangian_viscous", "defaults"), ("hexes_viscous", "hexes_stiffness"),
-         ("hexes_stiffness_deleted", "hexes_stiffness"), ("hexes_viscous_deleted", "hexes_viscous")]
+PAIRS = [
+    ("corrected", "plain"), ("artificial_stress", "corrected"), ("pressure_diffusion", "corrected"),
+    ("hourglass_viscosity", "corrected"), ("hourglass_stiffness", "corrected"), ("xsph", "corrected"),
+    ("reconstructed", "corrected"), ("defaults", "reconstructed"), ("defaults_artificial_stress", "defaults"),
+    ("defaults_pressure_diffusion", "defaults"), ("defaults_stiff", "defaults"),
+    ("defaults_stiffer", "defaults_stiff"), ("defaults_xsph", "defaults"), ("cutting", "defaults"),
+    ("cutting_stiff", "cutting"), ("cutting_stiff_only", "cutting"), ("total_lagrangian_viscous", "total_lagrangian"),
+    ("total_lagrangian_stiff", "total_lagrangian_viscous"), ("total_lagrangian_viscous", "defaults"),
+    ("hexes_viscous", "hexes_stiffness"), ("hexes_stiffness_deleted", "hexes_stiffness"),
+    ("hexes_viscous_deleted", "hexes_viscous")]
 
 
 def write_page(catalogue, results, folder):
