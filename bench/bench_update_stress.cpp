@@ -23,7 +23,9 @@ void set_plastic(const MaterialPoints& p, int percent) {
 }
 
 void bench_update_stress(benchmark::State& state, int percent) {
-  const ParticleCube c = make_particle_cube(state.range(0)); // its state changes
+  const ParticleCube& c = particle_cube(state.range(0));
+  set_state(c); // the kernel changes it
+  Kokkos::deep_copy(c.particles.points.density, test::ti64().density);
   set_plastic(c.particles.points, percent);
   for (auto _ : state) update_stress(c.particles.points, c.materials, time_step, c.status);
   if (test::read_status(c.status) != no_fault) state.SkipWithError("update_stress reports a fault");

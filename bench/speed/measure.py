@@ -16,6 +16,7 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 RESULTS = HERE.parent / "results.json"
 LARGE = 500_000
+FLOAT = ("bench_machine", "bench_step")  # the others differ as they do
 FIELDS = ("items", "flops_per_item", "bytes_per_item", "lane_flops_per_item", "pairs_per_item", "lane_pairs_per_item",
           "particles", "tied", "images", "hexes", "steps")
 
@@ -39,11 +40,18 @@ def key_of(row, context):
     return name, size, int(context["threads"]), 8 * int(context["real_bytes"])
 
 
-def take(found, build, sizes, threads, round_number, seconds):
-    loads = []
+def take(found, build, threads, round_number, options):
+    """Every program of a build once. Sizes of a million in the first round only, the step at them if asked for."""
+    loads, small = [], [size for size in options.sizes if size < LARGE]
     for program in programs(build):
+        if build == options.float and program.name not in FLOAT:
+            continue
+        large = round_number == 0 and (options.large_steps or program.name != "bench_step")
+        sizes = options.sizes if large else small
+        if not sizes:
+            continue
         loads.append(os.getloadavg()[0])
-        answer = run(program, sizes, threads, seconds)
+        answer = run(program, sizes, threads, options.seconds)
         for row in answer["benchmarks"]:
             if row.get("error_occurred"):
                 raise SystemExit(f"{program.name}: {row['name']}: {row['error_message']}")
@@ -54,7 +62,7 @@ def take(found, build, sizes, threads, round_number, seconds):
             measured.setdefault("core_seconds", []).append(share / row["items_per_second"])
             measured.update({field: row[field] for field in FIELDS if field in row})
             for phase in (one for one in row if one.startswith("phase: ")):
-                measured.setdefault("phases", {}).setdefault(phase[7:], []).append(row[phase] / row["items"])
+                measured.setdefault("phases", {}).setdefault(phase[7:], []).append(share * row[phase] / row["items"])
     return loads
 
 
@@ -89,22 +97,21 @@ def commit():
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("build", type=pathlib.Path)
-    parser.add_argument("--float", type=pathlib.Path, help="build folder in float")
+    parser.add_argument("--float", type=pathlib.Path, help="build folder in float, for the whole step")
     parser.add_argument("--sizes", type=int, nargs="+", default=[10_000, 100_000, 1_000_000])
     parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--seconds", type=float, default=0.15, help="least time of a measurement")
     parser.add_argument("--quick", action="store_true", help="one round, no size of a million")
+    parser.add_argument("--large-steps", action="store_true", help="the whole step at a million, too: minutes")
     options = parser.parse_args()
     if options.quick:
         options.rounds, options.sizes = 1, [size for size in options.sizes if size < LARGE]
-    small = [size for size in options.sizes if size < LARGE]
     found, loads, begun = {}, [], time.time()
     for number in range(options.rounds):
-        sizes = options.sizes if number == 0 else small
-        for threads in options.threads if sizes else []:
+        for threads in options.threads:
             for build in filter(None, (options.build, options.float)):
-                loads += take(found, build, sizes, threads, number, options.seconds)
+                loads += take(found, build, threads, number, options)
         print(f"round {number + 1} of {options.rounds}: {time.time() - begun:.0f} s, load {loads[-1]:.1f}", flush=True)
     names = list(dict.fromkeys(key[0] for key in found))  # in the order of the programs
     results = {

@@ -11,27 +11,26 @@ cores, {rounds} rounds. Times are medians of the rounds (sizes of a million: one
 ratios are taken within a round.
 
 **How quiet the machine was:** load average {first:.1f} at the start, median {median:.1f}, most {most:.1f} on {cores}
-cores; a process of one thread got {share:.0f} % of a core (median of all rows). Alone, the load is at most the number of
-threads and the share 100 %; otherwise the rates below are too low, those on two threads most. "Core": rate by the
+cores; a process of one thread got {share:.0f} % of a core (median of all rows). Alone, the load is at most the number
+of threads and the share 100 %; otherwise the rates below are too low, those on two threads most. "Core": rate by the
 processor time of one thread, which does not count waiting for other programs.
 
-Ceilings, best of the rounds, double: {ceilings}.
-"""
+Ceilings, best of the rounds, double: {ceilings}."""
 
 STEP_TEXT = """
 ## The whole step
 
 Settings of `inputs/orthogonal_cutting.toml` (its stabilisers, conduction, contact), bodies scaled to the size; from one
 rebuild of the neighbour lists to the next, checks and samples included. M/s: million particle-, or hex-, steps a
-second. Best: the fastest round.
+second.
 """
 
 KERNEL_TEXT = """
 ## Kernels
 
 Operations and bytes are counted from the equations (the count stands at the head of each `bench/bench_*.cpp`): of
-pairs within the support; the lanes compute more, because a list is shared by the {width} particles of a cluster and has a
-skin. Bytes: each field once. Share: of this machine's fused multiply-adds (in brackets with all that the lanes
+pairs within the support; the lanes compute more, because a list is shared by the {width} particles of a cluster and
+has a skin. Bytes: each field once. Share: of this machine's fused multiply-adds (in brackets with all that the lanes
 compute) and of its triad, same round and threads.
 
 ![Roofline](roofline.png)
@@ -57,8 +56,9 @@ def head(results):
     everything = results.all
     load = everything["load_average"]
     shares = sorted(row["core_share"] for row in everything["rows"] if "core_share" in row)
-    ceilings = "; ".join("{:.1f} GFLOP/s, {:.1f} GB/s on {} thread{}".format(
-        *(value / 1e9 for value in results.ceiling(threads)), threads, "s" if threads > 1 else "") for threads in (1, 2))
+    ceilings = "; ".join("{:.1f} GFLOP/s, {:.1f} GB/s on {}".format(
+        *(value / 1e9 for value in results.ceiling(threads)), "2 threads" if threads > 1 else "1 thread")
+        for threads in (1, 2))
     return HEAD.format(**everything, **load, share=100 * shares[len(shares) // 2], ceilings=ceilings)
 
 
@@ -71,8 +71,9 @@ def step_rows(results):
                 one, two = (results.get(name, size, threads, bits) for threads in (1, 2))
                 if not one or not two:
                     continue
-                yield (f"| {name[6:]} | {spaced(size)} | {bits} | {1e-6 / one['core_seconds_per_item']:.2f} | {rate(one)} "
-                       f"| {1e-6 / one['best']:.2f} | {rate(two)} | {1e-6 / two['best']:.2f} | {results.ratio(one, two):.2f} |")
+                core, best = 1e-6 / one["core_seconds_per_item"], 1e-6 / one["best"]
+                yield (f"| {name[6:]} | {spaced(size)} | {bits} | {core:.2f} | {rate(one)} | {best:.2f} | {rate(two)} "
+                       f"| {1e-6 / two['best']:.2f} | {results.ratio(one, two):.2f} |")
 
 
 def phase_rows(results, size):
@@ -80,7 +81,7 @@ def phase_rows(results, size):
     rows = {name: results.get(name, size, 1) for name in names}
     phases = sorted({phase for row in rows.values() for phase in row["phases"]},
                     key=lambda phase: -max(row["phases"].get(phase, 0) for row in rows.values()))
-    yield f"\nWhere the time goes: ns per item and step, one thread, {spaced(size)} items, double.\n"
+    yield f"\nWhere the time goes: ns of a core per item and step, one thread, {spaced(size)} items, double.\n"
     yield "| phase | " + " | ".join(name[6:] for name in names) + " |"
     yield "|---|" + "---|" * len(names)
     for phase in phases:
@@ -88,8 +89,8 @@ def phase_rows(results, size):
 
 
 def kernel_rows(results):
-    yield ("| kernel | size | flop | byte | core, M/s | M/s, 1 thread | M/s, 2 threads | 2 over 1 | GFLOP/s, 2 threads | GB/s "
-           "| share of FMA | share of triad |")
+    yield ("| kernel | size | flop | byte | core, M/s | M/s, 1 thread | M/s, 2 threads | 2 over 1 "
+           "| GFLOP/s, 2 threads | GB/s | share of FMA | share of triad |")
     yield "|" + "---|" * 12
     for name in results.names(step=False):
         for size in results.sizes():
@@ -99,7 +100,8 @@ def kernel_rows(results):
             flops, lanes = results.share(two, "flops"), results.share(two, "lane_flops")
             more = f" ({100 * lanes:.0f} %)" if lanes > 1.001 * flops else ""
             yield (f"| {name} | {spaced(size)} | {one['flops_per_item']:.0f} | {one['bytes_per_item']:.0f} "
-                   f"| {1e-6 / one['core_seconds_per_item']:.2f} | {rate(one)} | {rate(two)} | {results.ratio(one, two):.2f} "
+                   f"| {1e-6 / one['core_seconds_per_item']:.2f} | {rate(one)} | {rate(two)} "
+                   f"| {results.ratio(one, two):.2f} "
                    f"| {two['flops_per_item'] / two['seconds_per_item'] / 1e9:.1f} "
                    f"| {two['bytes_per_item'] / two['seconds_per_item'] / 1e9:.1f} "
                    f"| {100 * flops:.1f} %{more} | {100 * results.share(two, 'bytes'):.0f} % |")
@@ -107,9 +109,9 @@ def kernel_rows(results):
 
 def list_line(results, size):
     row = results.get("find_neighbors", size, 1)
-    return (f"\nLists at {spaced(size)} particles: {row['pairs_per_item']:.1f} neighbours within the support, "
-            f"{row['lane_pairs_per_item']:.0f} pairs in lanes: {100 * row['pairs_per_item'] / row['lane_pairs_per_item']:.0f}"
-            " % of the lanes' work counts.\n")
+    pairs, lanes = row["pairs_per_item"], row["lane_pairs_per_item"]
+    return (f"\nLists at {spaced(size)} particles: {pairs:.1f} neighbours within the support, {lanes:.0f} pairs in "
+            f"lanes: {100 * pairs / lanes:.0f} % of the lanes' work counts.\n")
 
 
 def peer_rows(results, size):

@@ -40,9 +40,12 @@ def draw_kernels(figure, axes, results, size, threads):
         if lanes > y:
             axes.plot([x, x], [y, lanes], color=colour, linewidth=0.8, alpha=0.6, zorder=2)
             axes.plot(x, lanes, "o", color=colour, markersize=4, fillstyle="none", zorder=3)
+            axes.annotate(name.replace("_", " "), (x, y), xytext=(2, -5), textcoords="offset points", fontsize=6.5,
+                          rotation=-60, rotation_mode="anchor", va="center")  # side by side: these crowd
             clear += [(x, level) for level in numpy.geomspace(y, lanes, 6)]
+        else:
+            marks.append((x, y, name.replace("_", " ")))
         axes.plot(x, y, "o", color=colour, markersize=4, zorder=3)
-        marks.append((x, y, name.replace("_", " ")))
     labels.place(figure, axes, marks, clear, size=6.5)
 
 
@@ -50,7 +53,7 @@ def draw(results, size):
     figure, panels = plt.subplots(1, 2, figsize=(11.7, 5.6), dpi=150, sharey=True, layout="constrained")
     top = results.ceiling(2)[0] / 1e9
     for axes, threads in zip(panels, (1, 2)):
-        axes.set(xscale="log", yscale="log", xlim=(0.04, 60), ylim=(0.15, 2 * top),
+        axes.set(xscale="log", yscale="log", xlim=(0.04, 90), ylim=(0.15, 2 * top),
                  xlabel="operations per byte of compulsory traffic")
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
@@ -69,7 +72,7 @@ def draw(results, size):
     panels[0].plot([], [], "o", color="C0", markersize=4, fillstyle="none", label="... and all that the lanes compute")
     panels[0].plot([], [], "o", color="C1", markersize=4, label="hexes")
     panels[0].plot([], [], "o", color="0.3", markersize=4, label="points, one by one")
-    panels[0].legend(loc="lower right", fontsize=7, framealpha=1)
+    panels[0].legend(loc="upper left", fontsize=7, framealpha=1)
     for suffix in ("png", "svg"):
         figure.savefig(DOCS / f"roofline.{suffix}", metadata={"Date": None} if suffix == "svg" else None)
     plt.close(figure)
