@@ -2,12 +2,15 @@
 // Corners in VTK order: xi = - + + - - + + -, eta = - - + + - - + +, zeta = - - - - + + + +.
 #pragma once
 #include "swarf/hex_mesh.hpp"
+#include "swarf/pack.hpp"
 
 namespace swarf {
 
-struct HexVectors { // one vector per corner
-  Vector3 at[8];
+template <class S>
+struct HexVectorsOf { // one vector per corner
+  Vector3Of<S> at[8];
 };
+using HexVectors = HexVectorsOf<Real>;
 
 // Rows of a nodal field at the corners of hex e, less the row of corner 0: a uniform field is exactly 0.
 SWARF_FN HexVectors load_corners(const VectorField& field, const View<int* [8]>& connectivity, int e) {
@@ -29,45 +32,54 @@ SWARF_FN void store_corners(const View<Real* [8][3]>& field, int e, const HexVec
 // --- mean gradient
 // The bilinear face a b c d, seen counter-clockwise from outside, adds the integral of N n dA over it to each
 // of its corners: at a, (2 S + (x_b - x_a) x (x_d - x_a)) / 12, S = (x_c - x_a) x (x_d - x_b) / 2 its area.
-SWARF_FN void add_face(const HexVectors& x, HexVectors& sum, int a, int b, int c, int d) {
-  const Real share = Real(1) / Real(12);
-  const Vector3 area2 = share * cross(x.at[c] - x.at[a], x.at[d] - x.at[b]);
-  const Vector3 at_a = share * cross(x.at[b] - x.at[a], x.at[d] - x.at[a]);
-  const Vector3 at_b = share * cross(x.at[c] - x.at[b], x.at[a] - x.at[b]);
+template <class S>
+SWARF_FN void add_face(const HexVectorsOf<S>& x, HexVectorsOf<S>& sum, int a, int b, int c, int d) {
+  const S share(Real(1) / Real(12));
+  const Vector3Of<S> area2 = share * cross(x.at[c] - x.at[a], x.at[d] - x.at[b]);
+  const Vector3Of<S> at_a = share * cross(x.at[b] - x.at[a], x.at[d] - x.at[a]);
+  const Vector3Of<S> at_b = share * cross(x.at[c] - x.at[b], x.at[a] - x.at[b]);
   sum.at[a] = sum.at[a] + area2 + at_a;
   sum.at[b] = sum.at[b] + area2 + at_b;
   sum.at[c] = sum.at[c] + area2 + (area2 - at_a);
   sum.at[d] = sum.at[d] + area2 + (area2 - at_b);
 }
 
-struct HexGradient {
-  HexVectors B; // 1/m
-  Real volume;  // m3, exact for the trilinear hex; not positive: inverted, and B has no meaning
+template <class S>
+struct HexGradientOf {
+  HexVectorsOf<S> B; // 1/m
+  S volume;          // m3, exact for the trilinear hex; not positive: inverted, and B has no meaning
 };
+using HexGradient = HexGradientOf<Real>;
 
 // B_a = (dV/dx_a) / V, the mean of grad N_a over the hex: exact for linear fields on any hex.
-SWARF_FN HexGradient mean_gradient(const HexVectors& x) {
-  HexVectors sum{};
+template <class S>
+SWARF_FN HexGradientOf<S> mean_gradient(const HexVectorsOf<S>& x) {
+  const S zero(Real(0));
+  HexVectorsOf<S> sum;
+  for (int a = 0; a < 8; ++a) sum.at[a] = {zero, zero, zero};
   add_face(x, sum, 0, 3, 2, 1);
   add_face(x, sum, 4, 5, 6, 7);
   add_face(x, sum, 0, 1, 5, 4);
   add_face(x, sum, 1, 2, 6, 5);
   add_face(x, sum, 2, 3, 7, 6);
   add_face(x, sum, 3, 0, 4, 7);
-  Real volume = 0;
-  for (int a = 0; a < 8; ++a) volume += dot(sum.at[a], x.at[a]);
-  volume /= Real(3);
-  for (int a = 0; a < 8; ++a) sum.at[a] = (Real(1) / volume) * sum.at[a];
+  S volume(Real(0));
+  for (int a = 0; a < 8; ++a) volume = volume + dot(sum.at[a], x.at[a]);
+  volume = volume / S(Real(3));
+  const S inverse_volume = S(Real(1)) / volume;
+  for (int a = 0; a < 8; ++a) sum.at[a] = inverse_volume * sum.at[a];
   return {sum, volume};
 }
 
 // L_ij = sum_a v_ai B_aj
-SWARF_FN Tensor3 velocity_gradient(const HexVectors& v, const HexVectors& B) {
-  Tensor3 L{};
+template <class S>
+SWARF_FN Tensor3Of<S> velocity_gradient(const HexVectorsOf<S>& v, const HexVectorsOf<S>& B) {
+  const S zero(Real(0));
+  Tensor3Of<S> L{zero, zero, zero, zero, zero, zero, zero, zero, zero};
   for (int a = 0; a < 8; ++a) {
-    const Vector3 &u = v.at[a], &b = B.at[a];
-    L = L + Tensor3{u.x * b.x, u.x * b.y, u.x * b.z, u.y * b.x, u.y * b.y,
-                    u.y * b.z, u.z * b.x, u.z * b.y, u.z * b.z};
+    const Vector3Of<S>&u = v.at[a], &b = B.at[a];
+    L = L + Tensor3Of<S>{u.x * b.x, u.x * b.y, u.x * b.z, u.y * b.x, u.y * b.y,
+                         u.y * b.z, u.z * b.x, u.z * b.y, u.z * b.z};
   }
   return L;
 }
