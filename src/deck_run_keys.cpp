@@ -40,9 +40,10 @@ const Keys<ParticlesDeck>& particles_keys() {
        "artificial viscosity in shocks"},
       {"hourglass_viscosity", &P::hourglass_viscosity, D::none, Range{0, 10}, "0.3", always,
        "damping of motion that the velocity gradient does not see, share of density * wave speed * h"},
-      {"hourglass_stiffness", &P::hourglass_stiffness, D::none, Range{0, 10}, "0.0", always,
-       "resistance to displacements that no gradient sees, share of the shear modulus; in the initial frame "
-       "to elongations that the deformation gradient does not explain (Ganzenmueller 2015)"},
+      {"hourglass_stiffness", &P::hourglass_stiffness, D::none, Range{0, 10}, "0.3", always,
+       "resistance to displacements that no gradient sees, share of the shear modulus (rubber stretched by a "
+       "fifth needs 2, flowing metal gains energy above 1); in the initial frame to elongations that the "
+       "deformation gradient does not explain (Ganzenmueller 2015)"},
       {"artificial_stress", &P::artificial_stress, D::none, share, "0.0", always,
        "share of a tension that is taken back between close pairs (Gray, Monaghan & Swift 2001); 0: off"},
       {"artificial_stress_exponent", &P::artificial_stress_exponent, D::none, Range{1, 10}, "4.0", always,

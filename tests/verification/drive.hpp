@@ -32,6 +32,21 @@ end_time = "1 s"
   return deck;
 }
 
+// What stabilises particles, as a test varies it.
+struct Stabiliser {
+  double stiffness = 0, artificial_stress = 0;
+
+  void apply(Deck& deck) const {
+    deck.particles.hourglass_stiffness = stiffness, deck.particles.artificial_stress = artificial_stress;
+  }
+  std::string text() const {
+    char text[64];
+    std::snprintf(text, sizeof text, ", hourglass stiffness %g", stiffness);
+    const std::string artificial = artificial_stress > 0 ? ", artificial stress 0.3" : "";
+    return text + artificial;
+  }
+};
+
 // The same without any damping.
 inline Deck undamped() {
   Deck deck = shipped_defaults();

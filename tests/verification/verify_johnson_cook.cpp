@@ -311,10 +311,8 @@ TEST(JohnsonCook, HexAndParticles) {
     report({name, difference + "particles inside", run, 0, "", exact, ours.spread, ours.spread, 1e-9, true});
     report(
         {name, difference + "all particles", run, 0, "", exact, ours.all, ours.all, 1e-9, true,
-         mode == Mode::tension
-             ? ""
-             : "at edges that the shear has made sharp the correction goes over to 1, the plain sum "
-               "(the bound in kernels/velocity_gradient.cpp), and with it the gradient is no longer exact"});
+         "at edges that the motion has made sharp the correction goes over to 1, the plain sum (the bound in "
+         "kernels/correction.hpp), and with it the gradient is no longer exact"});
     curve.series.push_back(
         {std::string("particles, ") + name_of(mode), ours.inside.strain, in_MPa(ours.inside.stress)});
   }
