@@ -12,7 +12,7 @@ void plain(Deck& deck) {
   deck.particles = shipped_defaults().particles;
   deck.particles.correction = deck.particles.correct_forces = false;
   deck.particles.viscosity_form = "monaghan";
-  deck.particles.hourglass_viscosity = 0;
+  deck.particles.hourglass_viscosity = deck.particles.hourglass_stiffness = 0;
 }
 
 void corrected(Deck& deck) {
@@ -76,14 +76,12 @@ std::vector<Formulation> make() {
       changed("defaults_artificial_stress", "defaults + artificial stress 0.3", defaults, artificial_stress),
       changed("defaults_pressure_diffusion", "defaults + pressure diffusion 0.003", defaults,
               pressure_diffusion),
-      changed("defaults_stiff", "defaults + hourglass stiffness 0.3", defaults, hourglass_stiffness(0.3)),
-      changed("defaults_stiffer", "defaults + hourglass stiffness 2", defaults, hourglass_stiffness(2)),
+      changed("defaults_soft", "defaults without hourglass stiffness", defaults, hourglass_stiffness(0)),
+      changed("defaults_stiffer", "defaults, hourglass stiffness 2", defaults, hourglass_stiffness(2)),
       changed("defaults_xsph", "defaults + XSPH 0.5", defaults, xsph),
       changed("cutting", "as the cutting decks", cutting, none),
-      changed("cutting_stiff", "as the cutting decks + hourglass stiffness 0.3", cutting,
-              hourglass_stiffness(0.3)),
-      changed("cutting_stiff_only", "as the cutting decks, hourglass stiffness 0.3 for artificial stress",
-              cutting, [](ParticlesDeck& p) { p.artificial_stress = 0, p.hourglass_stiffness = 0.3; }),
+      changed("cutting_artificial_stress", "as the cutting decks, artificial stress 0.3 for the stiffness",
+              cutting, [](ParticlesDeck& p) { p.artificial_stress = 0.3, p.hourglass_stiffness = 0; }),
       total_lagrangian("total_lagrangian", "total Lagrangian", 0, 0),
       total_lagrangian("total_lagrangian_viscous", "total Lagrangian + hourglass viscosity 0.3", 0.3, 0),
       total_lagrangian("total_lagrangian_stiff", "total Lagrangian + hourglass viscosity, stiffness 0.3", 0.3,
