@@ -84,6 +84,8 @@ inline ParticleCube make_particle_cube(int64_t size) {
   Kokkos::deep_copy(p.points.mass, mat.density * spacing * spacing * spacing);
   p.heat = ScalarField("heat", p.count), p.heat_state = View<Real* [2]>("heat_state", p.count);
   p.heat_shape = SymmetricField("heat_shape", p.count);
+  p.hourglass_displacement = VectorField("hourglass_displacement", p.count);
+  p.hourglass_rate = VectorField("hourglass_rate", p.count);
   p.pressure_state = View<Real* [4]>("pressure_state", p.count);
   c.method.viscosity_linear = Real(0.2), c.method.viscosity_quadratic = 1;
   c.method.hourglass_viscosity = Real(0.3);
