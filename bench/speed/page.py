@@ -21,8 +21,8 @@ STEP_TEXT = """
 ## The whole step
 
 Settings of `inputs/orthogonal_cutting.toml` (its stabilisers, conduction, contact), bodies scaled to the size; from one
-rebuild of the neighbour lists to the next, checks and samples included. M/s: million particle-, or hex-, steps a
-second.
+rebuild of the neighbour lists to the next, checks and samples included. Plain sums: without hourglass stiffness and
+artificial stress. M/s: million particle-, or hex-, steps a second.
 """
 
 KERNEL_TEXT = """
