@@ -1,5 +1,7 @@
 """docs/accuracy_cost.md: the pictures, what to take from them and the table, all from the results."""
 import draw
+import physics
+import physics_page
 import points
 from reference import QUANTITIES
 from scenes import SCENES
@@ -21,7 +23,8 @@ of each at once.
   Its uncertainty is twice the standard deviation of that limit when the points scatter by their own error or by what
   the fit leaves, whichever is more. It says nothing about settings that all points share.
 - Errors carry their sign: two that cancel are luck, not accuracy. "For 5 %" asks that error and standard error
-  together are within 5 %.
+  together are within 5 %. Points whose energy residual exceeds {energy:.0f} % of the external work are drawn hollow and
+  are neither advised nor on the front.
 """
 
 
@@ -47,7 +50,8 @@ def qualifies(row, rows, found, limit):
     """Error and scatter together within the limit; in the series of spacings every finer one too, or it is chance."""
     def within(one):
         scatter = one["cutting_force_error"] / abs(found["cutting_force"].value)
-        return abs(draw.error_of(one, "cutting_force", found)) + scatter <= limit
+        error = abs(draw.error_of(one, "cutting_force", found))
+        return error + scatter <= limit and abs(one["energy_residual"]) <= draw.ENERGY
     if row["group"] != "spacing":
         return within(row)
     return all(within(one) for one in rows if one["group"] == "spacing" and one["spacing"] <= row["spacing"])
@@ -72,6 +76,21 @@ def advice(rows, found):
         parts.append(f"For {100 * limit:.0f} % of the cutting force use \"{row['label']}\"{keys}: "
                      f"{row['core_seconds']:.0f} core-seconds{compared}.")
     return " ".join(parts)
+
+
+def base_of(scene, rows):
+    return next(row for row in rows if row["group"] == "spacing" and row["spacing"] == scene.spacing)
+
+
+def front(scene, rows, found):
+    """What is on the front, and whether the shipped settings are."""
+    best = draw.front_of(rows, found)
+    base = base_of(scene, rows)
+    said = "are on it" if base in best else "are not on it"
+    listed = ", ".join(f"{row['label']} ({row['core_seconds']:.3g} core-seconds, "
+                       f"{_percent(draw.error_of(row, 'cutting_force', found))})" for row in best)
+    return (f"On the front: {listed}. The shipped settings ({base['label']}, {base['core_seconds']:.3g} core-seconds, "
+            f"{_percent(draw.error_of(base, 'cutting_force', found))}) {said}.")
 
 
 def table(rows, found):
@@ -114,15 +133,18 @@ def shared_settings(scene, rows):
 def section(name, tried, rows, found):
     scene = SCENES[name]
     planned = {point.label for point in points.points_of(scene) if not point.full}
-    missing = planned - tried
+    missing = [point.label for point in points.points_of(scene) if point.label in planned - tried]
+    spacings = {point.label for point in points.points_of(scene) if point.group == "spacing" and not point.full}
     complete = [row for row in rows if row.get("cutting_force") is not None]
     failed = [row for row in rows if row["status"] != "complete"]
     yield f"\n## {scene.title.capitalize()}\n"
     yield f"![Error of the cutting force against core-seconds](accuracy_cost_{name}.png)\n"
     if missing:
-        yield f"Not finished: {len(missing)} of {len(planned)} points have not run, so nothing is concluded here.\n"
+        yield f"Not finished: {len(missing)} of {len(planned)} points have not run: {', '.join(missing)}.\n"
+    if spacings <= tried:
+        yield advice(complete, found) + " " + front(scene, complete, found) + "\n"
     else:
-        yield advice(complete, found) + "\n"
+        yield "The series of spacings is not whole, so there is no reference to conclude from.\n"
     if failed:
         yield f"{len(failed)} of {len(rows)} points did not end: " + ", ".join(row["label"] for row in failed) + ".\n"
     yield "Reference (errors in the table are relative to it):\n"
@@ -132,11 +154,13 @@ def section(name, tried, rows, found):
     yield "\n".join(table(rows, found))
 
 
-def text(drawn):
+def text(drawn, physical):
     orthogonal, milling = SCENES["orthogonal"], SCENES["milling"]
     windows = (f"Means over the last {100 * orthogonal.averaged:.0f} % of the orthogonal cut, and over immersion "
                f"{milling.immersion[0]:.0f} to {milling.immersion[1]:.0f} deg of the mill.")
-    lines = [HEAD.format(windows=windows)]
+    lines = [HEAD.format(windows=windows, energy=100 * draw.ENERGY)]
     for name, (tried, rows, found) in drawn.items():
         lines += section(name, tried, rows, found)
+        if name == physics.SCENE.name and physical:
+            lines += physics_page.section(physical, base_of(SCENES[name], rows))
     return "\n".join(lines) + "\n"

@@ -18,11 +18,13 @@ import sys
 
 import decks
 import measure
+import physics
 import points
 import reference
 import results
 from scenes import SCENES
 
+EVERY = points.ALL + physics.POINTS
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = pathlib.Path(__file__).resolve().parent / "results.csv"
 SECONDS_PER_PARTICLE_STEP = 2e-6  # until the results say better
@@ -59,13 +61,13 @@ class Sweep:
 
     def predicted(self, point):
         ratios = [row["core_seconds"] / decks.predicted_core_seconds(one.deck(ROOT))
-                  for one in points.ALL if (row := self.row_of(one)) and row["status"] == "complete"]
+                  for one in EVERY if (row := self.row_of(one)) and row["status"] == "complete"]
         scale = statistics.median(ratios) if ratios else SECONDS_PER_PARTICLE_STEP / 2e-6
         return scale * decks.predicted_core_seconds(point.deck(ROOT))
 
     def keep(self, row):
         """In place of what was known of the point, and of points that were of other decks or programs."""
-        current = [one for point in points.ALL if (one := self.row_of(point))]
+        current = [one for point in EVERY if (one := self.row_of(point))]
         current += [one for one in self.rows if one["group"] == "together"]
         self.rows = [one for one in current if (one["scene"], one["label"]) != (row["scene"], row["label"])]
         self.rows.append(row)
@@ -132,13 +134,13 @@ class Sweep:
         return left
 
     def together(self, scene):
-        """The best settings at once, when every setting has been tried."""
+        """The best settings at once, when every setting has been tried, or of those that have if that is asked for."""
         singles = [point for point in points.points_of(scene) if self.options.full or not point.full]
         rows = [row for point in singles if (row := self.row_of(point))]
         all_tried = len(rows) == len(singles)
         rows = reference.combine(rows, scene.spacing)
         base = next((row for row in rows if row["group"] == "spacing" and row["spacing"] == scene.spacing), None)
-        if not all_tried or not base or base["status"] != "complete":
+        if not (all_tried or self.options.together) or not base or base["status"] != "complete":
             return []
         found = reference.references(rows)
         best = {row["label"] for row in reference.best_settings(reference.widen(rows, found), base, found)}
@@ -167,6 +169,8 @@ def options():
     parser.add_argument("--budget", type=float, help="core-seconds this call may use")
     parser.add_argument("--scene", choices=list(SCENES), help="only this scene")
     parser.add_argument("--only", help="only points whose label contains this")
+    parser.add_argument("--group", action="append", help="only points of this group; may be given again")
+    parser.add_argument("--together", action="store_true", help="the best settings at once, before all have been tried")
     parser.add_argument("--list", action="store_true", help="say what would run and what it costs")
     parser.add_argument("--any-program", action="store_true", help="keep points that another build has run")
     parser.add_argument("--program", default=ROOT / "build/release/swarf")
@@ -178,8 +182,8 @@ def main():
     chosen = options()
     sweep = Sweep(chosen)
     scenes = [scene for scene in SCENES.values() if chosen.scene in (None, scene.name)]
-    wanted = [point for point in points.ALL if point.scene in scenes and (chosen.full or not point.full)
-              and (not chosen.only or chosen.only in point.label)]
+    wanted = [point for point in EVERY if point.scene in scenes and (chosen.full or not point.full)
+              and (not chosen.only or chosen.only in point.label) and (not chosen.group or point.group in chosen.group)]
     if chosen.list:
         return plan(sweep, wanted)
     left = sweep.run_missing(wanted)

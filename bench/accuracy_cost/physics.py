@@ -1,0 +1,45 @@
+"""What the forces hang on: the base scene of the orthogonal cut with one physical input changed. These points answer
+another question than the sweep's, so they are in neither its chart nor its front."""
+import decks
+from points import Point, setter
+from scenes import SCENES
+
+GROUP = "physics"
+SCENE = SCENES["orthogonal"]
+
+
+def edge_radius(radius):
+    def change(deck):
+        moved = decks.si(deck["tool"]["edge_radius"]) - radius
+        deck["tool"]["edge_radius"] = decks.length(radius)
+        position = deck["tool"]["position"]  # of the lowest point: the front of the edge stays where it was
+        position[0] = decks.length(decks.si(position[0]) + moved)
+    return change
+
+
+def material(**values):
+    return lambda deck: next(iter(deck["material"].values())).update(values)
+
+
+def harder(share):
+    def change(deck):
+        law = next(iter(deck["material"].values()))
+        law["A"] = f"{decks.si(law['A']) * (1 + share) / 1e6:.6g} MPa"
+    return change
+
+
+POINTS = [Point(SCENE, GROUP, label, change) for label, change in (
+    ("friction 0.1", setter("contact", friction=0.1)),
+    ("friction 0.3", setter("contact", friction=0.3)),
+    ("friction 0.5", setter("contact", friction=0.5)),
+    ("no shear limit", lambda deck: deck["contact"].pop("shear_limit")),
+    ("edge radius 10 um", edge_radius(10e-6)),
+    ("edge radius 30 um", edge_radius(30e-6)),
+    ("clearance 7 deg", setter("tool", clearance="7 deg")),
+    ("friction heat all to the tool", setter("contact", heat_to_workpiece=0.0)),
+    ("friction heat all to the work", setter("contact", heat_to_workpiece=1.0)),
+    ("no conduction", material(conductivity="0 W/m/K")),
+    ("A +10 %", harder(0.1)),
+    ("C 0", material(C=0.0)),
+    ("Taylor-Quinney 0", material(taylor_quinney=0.0)),
+)]
