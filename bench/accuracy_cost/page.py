@@ -130,6 +130,23 @@ def shared_settings(scene, rows):
             f"closer to their limit: {', '.join(changes)}.") if changes else None
 
 
+def stiffness_over_spacing(rows):
+    """What the hourglass stiffness does to the force at each spacing: as an error of the method it has to vanish."""
+    with_it = {row["spacing"]: row for row in rows if row["group"] == "spacing"}
+    without = {row["spacing"]: row for row in rows
+               if row["group"] == points.STIFFNESS_0 or row["label"] == "stiffness 0"}
+    both = sorted(set(with_it) & set(without), reverse=True)
+    if len(both) < 2:
+        return None
+    said = []
+    for spacing in both:
+        ours, theirs = with_it[spacing], without[spacing]
+        scatter = (ours["cutting_force_error"]**2 + theirs["cutting_force_error"]**2)**0.5 / theirs["cutting_force"]
+        change = ours["cutting_force"] / theirs["cutting_force"] - 1
+        said.append(f"{_percent(change)} (+- {200 * scatter:.1f}) at dx = {spacing:.3g} um")
+    return f"What the default hourglass stiffness adds to the cutting force: {', '.join(said)}."
+
+
 def section(name, tried, rows, found):
     scene = SCENES[name]
     planned = {point.label for point in points.points_of(scene) if not point.full}
@@ -151,6 +168,8 @@ def section(name, tried, rows, found):
     yield "\n".join(reference_lines(found)) + "\n"
     if shared := shared_settings(scene, complete):
         yield shared + "\n"
+    if stiffness := stiffness_over_spacing(complete):
+        yield stiffness + "\n"
     yield "\n".join(table(rows, found))
 
 

@@ -59,6 +59,9 @@ def all_hexes(scene, strain):
     return change
 
 
+# Without hourglass stiffness over the spacing: does the force that it adds vanish with the spacing?
+STIFFNESS_0, NO_STIFFNESS = "stiffness 0 over dx", [80 / n for n in (8, 10, 12, 20, 24)]
+
 ALWAYS, ORTHOGONAL, FULL = "always", "orthogonal", "full"  # which sweep: also the short one, in which scene
 METHOD = [
     ("smoothing length", "h/dx 1.0", setter("particles", smoothing_ratio=1.0), ALWAYS),
@@ -131,6 +134,9 @@ def points_of(scene):
     points = [Point(scene, "spacing", f"dx {spacing:.3g}", spacing=spacing, full=spacing in scene.fine_spacings)
               for spacing in scene.spacings + scene.fine_spacings]
     points += [Point(scene, "repeat", f"repeat {k}", shorter_step(k)) for k in (1, 2, 3)]
+    if scene.name == "orthogonal":
+        points += [Point(scene, STIFFNESS_0, f"stiffness 0, dx {spacing:.3g}",
+                         setter("particles", hourglass_stiffness=0.0), spacing) for spacing in NO_STIFFNESS]
     points += [Point(scene, group, label, change, full=sweep not in (ALWAYS, scene.name))
                for group, label, change, sweep in METHOD + work_of(scene) + own_work]
     return points + [Point(scene, "precision", "float", build="float"),

@@ -7,6 +7,7 @@ QUANTITIES = {"cutting_force": "F_c", "feed_force": "F_f", "chip_thickness": "ch
               "chip_temperature": "chip temperature", "max_temperature": "highest temperature"}
 ORDERS = numpy.linspace(0.5, 2.0, 31)  # the kernel sum is of second order at best
 SAMPLES = 500
+NO_SETTING = ("spacing", "stiffness 0 over dx", "together", "committed deck")  # groups that are not of one setting
 
 
 @dataclass
@@ -118,7 +119,7 @@ def best_settings(rows, base, references):
 
     groups = {}
     for row in rows:
-        if row["group"] in ("spacing", "together", "committed deck") or row["status"] != "complete":
+        if row["group"] in NO_SETTING or row["status"] != "complete":
             continue
         good = all(no_worse(row, quantity) for quantity in ("cutting_force", "feed_force", "chip_thickness"))
         if good and row["core_seconds"] < groups.get(row["group"], base)["core_seconds"]:
