@@ -36,17 +36,22 @@ def label_of(row):
     return f"{row['label']} ({row['runs']} runs)" if row["runs"] > 1 else row["label"]
 
 
+def level_of(row, found):
+    """Error and standard error together, no less than what the reference is known to."""
+    reference = found["cutting_force"]
+    scatter = row["cutting_force_error"] / abs(reference.value)
+    return max(abs(error_of(row, "cutting_force", found)) + scatter, reference.relative, 1e-12)
+
+
 def front_of(rows, found):
-    """Points that no cheaper one beats. Errors inside the reference's uncertainty count as equal; points that do not
-    keep their energy cannot be on it."""
-    known = max(found["cutting_force"].relative, 1e-12)
+    """Points that no cheaper one beats: not by chance, so with their scatter. Points that do not keep their energy
+    cannot be on it."""
     front, best = [], numpy.inf
     kept = [row for row in rows if abs(row["energy_residual"]) <= ENERGY]
-    for row in sorted(kept, key=lambda one: (one["core_seconds"], abs(error_of(one, "cutting_force", found)))):
-        error = max(abs(error_of(row, "cutting_force", found)), known)
-        if error < best:
+    for row in sorted(kept, key=lambda one: (one["core_seconds"], level_of(one, found))):
+        if level_of(row, found) < best:
             front.append(row)
-            best = error
+            best = level_of(row, found)
     return front
 
 
@@ -57,7 +62,7 @@ def set_axes(axes, rows, errors, reference):
     costs = [row["core_seconds"] for row in rows]
     axes.set(xscale="log", yscale="log", ylim=(bottom, 2 * max([*errors.values(), known])),
              xlim=(min(costs) / 1.6, max(costs) * 1.8), xlabel="cost, core-seconds",
-             ylabel=f"error of the cutting force against the extrapolated {reference.value:.3g} N, %")
+             ylabel=f"error of the cutting force against {reference.value:.3g} N, %")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         axis.set_major_formatter(FormatStrFormatter("%g"))
@@ -69,13 +74,14 @@ def set_axes(axes, rows, errors, reference):
     return bottom
 
 
-def draw_front(axes, rows, errors, known):
+def draw_front(axes, rows, found, bottom):
     """Returns points along the line, for labels to keep clear of."""
     costs = [row["core_seconds"] for row in rows]
-    levels = [max(errors[row["label"]], known) for row in rows]
+    levels = [max(100 * level_of(row, found), bottom) for row in rows]
     costs.append(axes.get_xlim()[1])
     levels.append(levels[-1])
-    axes.step(costs, levels, where="post", color="C3", linewidth=1.2, zorder=1, label="Pareto front")
+    axes.step(costs, levels, where="post", color="C3", linewidth=1.2, zorder=1,
+              label="Pareto front (error + standard error)")
     corners = [point for k in range(len(rows)) for point in
                ((costs[k], levels[k]), (costs[k + 1], levels[k]), (costs[k + 1], levels[k + 1]))]
     return [(x, y) for (x0, y0), (x1, y1) in zip(corners, corners[1:])
@@ -89,7 +95,7 @@ def draw_cost(axes, figure, scene, rows, found):
     figure.canvas.draw()
     figure.set_layout_engine("none")  # labels are placed in the frame as it is now
     front = front_of(rows, found)
-    line = draw_front(axes, front, errors, max(100 * reference.relative, bottom))
+    line = draw_front(axes, front, found, bottom)
     groups = list(dict.fromkeys(row["group"] for row in rows))
     marks = []
     for row in rows:
@@ -118,7 +124,8 @@ def draw_convergence(axes, reference):
     axes.axhspan(reference.value - reference.uncertainty, reference.value + reference.uncertainty, color="0.9")
     axes.axhline(reference.value, color="0.5", linewidth=0.8, linestyle="--")
     axes.set(xlabel="spacing dx, um", ylabel="cutting force, N", xlim=(0, None))
-    axes.set_title(f"{reference.value:.3g} +- {reference.uncertainty:.2g} N at dx = 0, {order}", fontsize=8)
+    where = "at dx = 0" if reference.order else "(mean of the finest three)"
+    axes.set_title(f"{reference.value:.3g} +- {reference.uncertainty:.2g} N {where}, {order}", fontsize=8)
     axes.grid(alpha=0.3, linewidth=0.4)
 
 

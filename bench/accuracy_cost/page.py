@@ -24,7 +24,7 @@ of each at once.
   the fit leaves, whichever is more. It says nothing about settings that all points share.
 - Errors carry their sign: two that cancel are luck, not accuracy. "For 5 %" asks that error and standard error
   together are within 5 %. Points whose energy residual exceeds {energy:.0f} % of the external work are drawn hollow and
-  are neither advised nor on the front.
+  are neither advised nor on the front, which is of error and standard error together as well.
 """
 
 
