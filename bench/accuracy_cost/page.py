@@ -141,7 +141,8 @@ def stiffness_over_spacing(rows):
     said = []
     for spacing in both:
         ours, theirs = with_it[spacing], without[spacing]
-        scatter = (ours["cutting_force_error"]**2 + theirs["cutting_force_error"]**2)**0.5 / theirs["cutting_force"]
+        errors = (one.get("cutting_force_own_error", one["cutting_force_error"]) for one in (ours, theirs))
+        scatter = sum(error**2 for error in errors)**0.5 / theirs["cutting_force"]
         change = ours["cutting_force"] / theirs["cutting_force"] - 1
         said.append(f"{_percent(change)} (+- {200 * scatter:.1f}) at dx = {spacing:.3g} um")
     return f"What the default hourglass stiffness adds to the cutting force: {', '.join(said)}."
@@ -181,5 +182,5 @@ def text(drawn, physical):
     for name, (tried, rows, found) in drawn.items():
         lines += section(name, tried, rows, found)
         if name == physics.SCENE.name and physical:
-            lines += physics_page.section(physical, base_of(SCENES[name], rows))
+            lines += physics_page.section(physical, base_of(SCENES[name], rows), found)
     return "\n".join(lines) + "\n"

@@ -52,9 +52,17 @@ def input_of(row):
     return row["changes"].split(" = ")[0].removeprefix("no ")
 
 
-def distance(shift, base, target):
+def limits(base, found):
+    """{quantity: value and two standard deviations} with the spacing taken to 0: what the base's spacing adds is no
+    gap that an input could close."""
+    scale = {"cutting_force": 1, "feed_force": 1, "chip_thickness": 1 / base["uncut_thickness"]}
+    return {"ratio" if name == "chip_thickness" else name: (scale[name] * found[name].value,
+                                                            scale[name] * found[name].uncertainty)
+            for name in scale if name in found}
+
+
+def distance(shift, ours, target):
     """Root mean square of what is missing to the measurement, in its standard deviations."""
-    ours = values(base)
     off = [(ours[name][0] * (1 + shift[name]) - value) / (two_sigma / 2) for name, (value, two_sigma) in target.items()
            if name in shift]
     return math.sqrt(sum(one**2 for one in off) / len(off))
@@ -73,35 +81,37 @@ def hangs_on(name, changes):
             + ". Not beyond the scatter: " + listed(unseen) + ".")
 
 
-def gap(base, target):
-    ours = values(base)
-    parts = [f"{NAMES[name][0]} is {ours[name][0]:.3g}, {100 * (ours[name][0] / value - 1):+.0f} % off the measured "
-             f"{value:.3g} +- {two_sigma:.2g}" + ("" if abs(ours[name][0] - value) <= two_sigma else " (outside)")
-             for name, (value, two_sigma) in target.items() if name in ours]
-    return "In the base " + "; ".join(parts) + " (2 sigma of the experiment)."
+def gap(base, ours, target):
+    at_base = values(base)
+    parts = [f"{NAMES[name][0]} is {ours[name][0]:.3g} +- {ours[name][1]:.2g} with the spacing taken to 0 ("
+             f"{100 * (ours[name][0] / value - 1):+.0f} %; in the base {100 * (at_base[name][0] / value - 1):+.0f} %), "
+             f"measured {value:.3g} +- {two_sigma:.2g}"
+             for name, (value, two_sigma) in target.items() if name in ours and name in at_base]
+    inside = [NAMES[name][0] for name, (value, two_sigma) in target.items()
+              if name in ours and abs(ours[name][0] - value) <= two_sigma]
+    return "; ".join(parts) + f" (all 2 sigma). Inside the experiment's scatter: {', '.join(inside) or 'none'}."
 
 
-def closing(rows, base, changes, target):
+def closing(rows, ours, changes, target):
     """What would bring all three to the measurement together."""
     shifts = {label: {name: one[0] for name, one in found.items()} for label, found in changes.items()}
     inputs = {row["label"]: input_of(row) for row in rows}
-    start = distance(dict.fromkeys(values(base), 0.0), base, target)
-    single = sorted((distance(shift, base, target), label) for label, shift in shifts.items())
+    start = distance(dict.fromkeys(ours, 0.0), ours, target)
+    single = sorted((distance(shift, ours, target), label) for label, shift in shifts.items())
     better = [f"{label} ({off:.2g})" for off, label in single if off < start]
     worse = [f"{label} ({off:.2g})" for off, label in reversed(single) if off >= start]
     yield (f"All three together are {start:.2g} standard deviations of the experiment from the measurement (root mean "
            f"square). Nearer with: {listed(better)}. Not nearer with: {listed(worse)}.")
     pairs = sorted((distance({name: shifts[a][name] + shifts[b][name] for name in shifts[a] if name in shifts[b]},
-                             base, target), a, b) for a, b in itertools.combinations(shifts, 2)
+                             ours, target), a, b) for a, b in itertools.combinations(shifts, 2)
                    if inputs[a] != inputs[b])
     if pairs:
         off, a, b = pairs[0]
         yield f"Nearest of the sums of two changes (added up, not run): {a} and {b}, {off:.2g}."
 
 
-def feed_alone(changes, base, target):
+def feed_alone(changes, ours, target):
     """Inputs that take F_f the way it has to go, and F_c not the wrong way beyond the scatter."""
-    ours = values(base)
     wanted = {name: math.copysign(1, target[name][0] - ours[name][0]) for name in ("cutting_force", "feed_force")}
     good, costly = [], []
     for label, one in changes.items():
@@ -109,12 +119,11 @@ def feed_alone(changes, base, target):
         if feed * wanted["feed_force"] > scatter:
             away = -cut * wanted["cutting_force"] > around
             (costly if away else good).append(f"{label} (F_f {text_of(feed, scatter)}, F_c {text_of(cut, around)})")
-    return (f"F_f has to go {'up' if wanted['feed_force'] > 0 else 'down'}: {listed(good)} do{'es' * (len(good) == 1)} "
-            "that without taking F_c away from the measurement; "
-            f"{listed(costly)} only together with an F_c that goes the wrong way.")
+    return (f"F_f has to go {'up' if wanted['feed_force'] > 0 else 'down'}. Without taking F_c away from the "
+            f"measurement does that: {listed(good)}; and with an F_c that goes the wrong way: {listed(costly)}.")
 
 
-def section(rows, base):
+def section(rows, base, found):
     yield "\n## What the forces hang on\n"
     missing = [point.label for point in physics.POINTS if point.label not in {row["label"] for row in rows}]
     failed = [row["label"] for row in rows if row.get("cutting_force") is None]
@@ -126,8 +135,9 @@ def section(rows, base):
     if missing or failed:
         yield f"Have not run: {listed(missing)}. Did not end: {listed(failed)}.\n"
     target, changes = measured(), {row["label"]: change(row, base) for row in rows}
-    yield " ".join([gap(base, target), hangs_on("cutting_force", changes), hangs_on("feed_force", changes),
-                    feed_alone(changes, base, target), *closing(rows, base, changes, target)]) + "\n"
+    ours = limits(base, found)
+    yield " ".join([gap(base, ours, target), hangs_on("cutting_force", changes), hangs_on("feed_force", changes),
+                    feed_alone(changes, ours, target), *closing(rows, ours, changes, target)]) + "\n"
     yield "| input | F_c, N | F_f, N | h_c / h | F_c | F_f | h_c / h | highest temperature, K | keys changed |"
     yield "|" + "---|" * 9
     order = [point.label for point in physics.POINTS]

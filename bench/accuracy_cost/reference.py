@@ -90,7 +90,8 @@ def widen(rows, found):
     for row in rows:
         for quantity, reference in found.items():
             if row.get(quantity) is not None and row["group"] != "spacing":
-                row[quantity + "_error"] = max(row.get(quantity + "_error") or 0.0, reference.scatter)
+                row[quantity + "_own_error"] = row.get(quantity + "_error") or 0.0  # enough at one and the same spacing
+                row[quantity + "_error"] = max(row[quantity + "_own_error"], reference.scatter)
     return rows
 
 
