@@ -4,8 +4,10 @@
 // R: artificial stress of Gray, Monaghan & Swift (2001), f_ij = W_ij / W(spacing).
 // q: Monaghan (1992) viscosity, q = -alpha Z mu + beta rho mu^2 for approaching pairs, rho and Z = rho c of
 // the scaled mass. Reconstructed: mu from v_ij - (D_i + D_j) x_ij / 2, which a linear velocity field makes
-// zero (Frontiere, Raskin & Owen 2017), so that steady shear feels no viscosity. In the initial frame grad W
-// is that of X_ij (reference_gradient.cpp), and q acts along the line x_ij with its slope, so that it takes
+// zero (Frontiere, Raskin & Owen 2017), so that steady shear feels no viscosity. The same remainder, whether
+// the pair approaches or parts, meets the hourglass viscosity, and its sum over time the hourglass stiffness,
+// kappa G x_ij.(d_i - d_j) / r^2 (evolve_hourglass.cpp). In the initial frame grad W is that of X_ij
+// (reference_gradient.cpp), and q acts along the line x_ij with its slope, so that it takes
 // energy however the body has turned. Reads what prepare_pair_state wrote. Writes force, rows [0, count +
 // tied); adds viscous_work.
 #include "swarf/kernels.hpp"
