@@ -14,25 +14,38 @@ struct GradientSums {
   Symmetric3Of<Pack> A; // inverse of K
 };
 
-KOKKOS_INLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const Neighbors& n, int cluster,
-                                                  const Lanes& lanes) {
+// Neighbours are taken a few at a time: first their slopes, whose roots and divisions are long, then the
+// sums. In one go a pair is a chain of operations longer than a processor looks ahead: a sixth slower.
+constexpr int pair_chunk = pack_width > 1 ? 16 : 1;
+
+KOKKOS_FORCEINLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const Neighbors& n, int cluster,
+                                                       const Lanes& lanes) {
   const Pack zero(Real(0));
   GradientSums s{{zero, zero, zero, zero, zero, zero, zero, zero, zero},
                  {zero, zero, zero, zero, zero, zero}};
   const auto x_i = lanes.load_vector(p.position), v_i = lanes.load_vector(p.velocity);
   const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length);
-  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
-    const int j = n.neighbor(k);
-    const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const auto v_ji = broadcast_vector(p.velocity, j) - v_i;
-    const Pack inverse_h = mean_inverse_h(inverse_h_i, p.smoothing_length(j));
-    const Pack slope = Pack(p.volume(j)) * pair_slope(x_ij, inverse_h);
-    const auto grad = slope * x_ij; // V_j grad W_ij
-    s.L.xx += v_ji.x * grad.x, s.L.xy += v_ji.x * grad.y, s.L.xz += v_ji.x * grad.z;
-    s.L.yx += v_ji.y * grad.x, s.L.yy += v_ji.y * grad.y, s.L.yz += v_ji.y * grad.z;
-    s.L.zx += v_ji.z * grad.x, s.L.zy += v_ji.z * grad.y, s.L.zz += v_ji.z * grad.z;
-    s.A.xx -= x_ij.x * grad.x, s.A.yy -= x_ij.y * grad.y, s.A.zz -= x_ij.z * grad.z;
-    s.A.xy -= x_ij.x * grad.y, s.A.yz -= x_ij.y * grad.z, s.A.zx -= x_ij.z * grad.x;
+  Pack slope[pair_chunk]; // V_j (dW/dr) / r
+  const long end = n.start(cluster + 1);
+  for (long begin = n.start(cluster); begin < end; begin += pair_chunk) {
+    const int* row = &n.neighbor(begin);
+    const int count = end - begin < pair_chunk ? int(end - begin) : pair_chunk;
+    for (int k = 0; k < count; ++k) {
+      const int j = row[k];
+      const auto x_ij = x_i - broadcast_vector(p.position, j);
+      slope[k] = Pack(p.volume(j)) * pair_slope(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
+    }
+    for (int k = 0; k < count; ++k) {
+      const int j = row[k];
+      const auto x_ij = x_i - broadcast_vector(p.position, j);
+      const auto v_ji = broadcast_vector(p.velocity, j) - v_i;
+      const auto grad = slope[k] * x_ij; // V_j grad W_ij
+      s.L.xx += v_ji.x * grad.x, s.L.xy += v_ji.x * grad.y, s.L.xz += v_ji.x * grad.z;
+      s.L.yx += v_ji.y * grad.x, s.L.yy += v_ji.y * grad.y, s.L.yz += v_ji.y * grad.z;
+      s.L.zx += v_ji.z * grad.x, s.L.zy += v_ji.z * grad.y, s.L.zz += v_ji.z * grad.z;
+      s.A.xx -= x_ij.x * grad.x, s.A.yy -= x_ij.y * grad.y, s.A.zz -= x_ij.z * grad.z;
+      s.A.xy -= x_ij.x * grad.y, s.A.yz -= x_ij.y * grad.z, s.A.zx -= x_ij.z * grad.x;
+    }
   }
   return s;
 }
