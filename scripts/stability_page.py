@@ -143,7 +143,7 @@ def defaults(matrix):
         return DEFAULTS.format(
             reconstructed=percent("reconstructed", "viscosity", "viscosity_shipped"),
             monaghan=percent("corrected", "viscosity", "viscosity_shipped"),
-            damped=percent("defaults", "zero_energy", "mode_left"),
+            damped=percent("hourglass_viscosity", "zero_energy", "mode_left"),
             undamped=percent("reconstructed", "zero_energy", "mode_left"),
             xsph=percent("defaults_xsph", "cut", "energy_residual"), courant=number(courant),
             stiffer=number(value("defaults_stiffer", "courant", "courant")),
