@@ -58,12 +58,15 @@ void compare(const std::string& fill, double spacing, Curve& radius, Curve& leng
   report_curve(name, "length", run, t, in_mm(ours.length), ref.time, ref.length);
   report_energy(name, run, ours);
   const bool particles = fill == "particles", coarse = spacing > 0.5e-3;
-  report_curve(
-      name, "radius of the foot", run, t, in_mm(ours.radius), ref.time, ref.radius,
-      particles && coarse ? "at eight across, hourglass viscosity takes a tenth of the initial energy" : "",
-      !particles ? ""
-      : coarse   ? "as its final value"
-                 : "the foot spreads late, 4 % at 5 us: its first layers move as the kernel is wide");
+  const char* const runs_ahead =
+      "the lowest layer of the foot runs ahead of the second, and the ruler extrapolates the two: the "
+      "outermost "
+      "particle stands at 7.34 mm; a hourglass viscosity of 1 makes the foot 3 % narrow instead";
+  report_curve(name, "radius of the foot", run, t, in_mm(ours.radius), ref.time, ref.radius,
+               particles && !coarse ? runs_ahead : "",
+               !particles ? ""
+               : coarse   ? "the foot spreads late: its first layers move as the kernel is wide"
+                          : runs_ahead);
   char label[64];
   std::snprintf(label, sizeof label, "%s, %.2g mm", fill.c_str(), 1e3 * spacing);
   length.series.push_back({label, t, in_mm(ours.length)}),
