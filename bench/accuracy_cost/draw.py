@@ -158,7 +158,7 @@ def main():
         draw(scene, ours, found)
         drawn[scene.name] = ({row["label"] for row in runs}, ours, found)
     if drawn:
-        (DOCS / "accuracy_cost.md").write_text(page.text(drawn, [row for row in rows if row["group"] == physics.GROUP]))
+        (DOCS / "accuracy_cost.md").write_text(page.text(drawn, rows))
 
 
 if __name__ == "__main__":

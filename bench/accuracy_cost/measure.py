@@ -120,6 +120,8 @@ def measure(deck, folder, scene):
            "particle_steps": summary["particles"] * summary["steps"],
            "energy_residual": summary["energies"]["worst_residual_over_external"],
            "viscous_share": summary["energies"]["viscous_share"],
+           "hourglass_share": summary["energies"]["hourglass_work"] / summary["energies"]["external_work"]
+           if summary["energies"]["external_work"] else None,
            "kinetic_share": summary["energies"]["kinetic_energy"] / summary["energies"]["external_work"]
            if summary["energies"]["external_work"] else None}
     if summary["ended"] != "complete":

@@ -3,12 +3,14 @@ import csv
 import itertools
 import math
 import pathlib
+import statistics
 
 import decks
 import physics
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MEASURED = ROOT / "tests/verification/data/ti64_orthogonal_cutting.csv"
+ALIKE = ("repeat", "courant", "mass", "diffusion")  # groups that differ from the base by chance, as far as physics goes
 NAMES = {"cutting_force": ("F_c", "Fc"), "feed_force": ("F_f", "Ff"), "ratio": ("h_c / h", "ratio")}
 
 
@@ -32,15 +34,24 @@ def values(row):
     return found
 
 
-def change(row, base):
-    """{quantity: relative change, and twice its standard error}. A run that was not repeated scatters as the base's
-    repeats do, if its own blocks do not show more."""
+def scatter_of(runs, spacing):
+    """{quantity: standard deviation} of runs of the base's physics and spacing: time step, mass factor and pressure
+    diffusion should change nothing, and what they do change F_f by is what one run is worth."""
+    alike = [row for row in runs if row["scene"] == physics.SCENE.name and row["spacing"] == spacing
+             and (row["group"] in ALIKE or row["group"] == "spacing") and row["status"] == "complete"]
+    found = {name: [values(row)[name][0] for row in alike if name in values(row)] for name in NAMES}
+    return len(alike), {name: statistics.stdev(ours) if len(ours) > 1 else 0.0 for name, ours in found.items()}
+
+
+def change(row, base, scatter):
+    """{quantity: relative change, and twice its standard error}. A run scatters as those alike do, if its own blocks
+    do not show more; so does the mean of the base's, for its repeats are all too alike."""
     ours, theirs, found = values(row), values(base), {}
     for name in NAMES:
         if name in ours and name in theirs:
             (value, error), (was, known) = ours[name], theirs[name]
-            single = max(error, known * base["runs"] ** 0.5)
-            found[name] = (value / was - 1, 2 * math.hypot(single, known) / abs(was))
+            single, mean = max(error, scatter[name]), max(known, scatter[name] / base["runs"] ** 0.5)
+            found[name] = (value / was - 1, 2 * math.hypot(single, mean) / abs(was))
     return found
 
 
@@ -110,34 +121,48 @@ def closing(rows, ours, changes, target):
         yield f"Nearest of the sums of two changes (added up, not run): {a} and {b}, {off:.2g}."
 
 
-def feed_alone(changes, ours, target):
-    """Inputs that take F_f the way it has to go, and F_c not the wrong way beyond the scatter."""
-    wanted = {name: math.copysign(1, target[name][0] - ours[name][0]) for name in ("cutting_force", "feed_force")}
-    good, costly = [], []
-    for label, one in changes.items():
-        (feed, scatter), (cut, around) = one["feed_force"], one["cutting_force"]
-        if feed * wanted["feed_force"] > scatter:
-            away = -cut * wanted["cutting_force"] > around
-            (costly if away else good).append(f"{label} (F_f {text_of(feed, scatter)}, F_c {text_of(cut, around)})")
-    return (f"F_f has to go {'up' if wanted['feed_force'] > 0 else 'down'}. Without taking F_c away from the "
-            f"measurement does that: {listed(good)}; and with an F_c that goes the wrong way: {listed(costly)}.")
+def directions(changes, ours, target):
+    """Which inputs take each force the way it has to go by more than the scatter, and whether one does both."""
+    closing_one = {}
+    for name in ("cutting_force", "feed_force"):
+        way = math.copysign(1, target[name][0] - ours[name][0])
+        closing_one[name] = [label for label, one in changes.items() if one[name][0] * way > one[name][1]]
+        yield f"{NAMES[name][0]} has to go {'up' if way > 0 else 'down'}, which does: {listed(closing_one[name])}."
+    yield f"Both at once: {listed(one for one in closing_one['cutting_force'] if one in closing_one['feed_force'])}."
 
 
-def section(rows, base, found):
+def edge_for_feed_force(changes, ours, target):
+    """The radius of the edge, linear between the sharper one and the deck's, that gives the measured F_f."""
+    deck = decks.read(ROOT / physics.SCENE.deck_file)
+    radius, sharper = decks.si(deck["tool"]["edge_radius"]), "edge radius 10 um"
+    if sharper not in changes:
+        return
+    wanted = target["feed_force"][0] / ours["feed_force"][0] - 1
+    share = wanted / changes[sharper]["feed_force"][0]
+    found = radius - share * (radius - 10e-6)
+    yield (f"Linear between {sharper} and the deck's, the measured F_f needs an edge of {found * 1e6:.3g} um, where "
+           f"F_c is {100 * share * changes[sharper]['cutting_force'][0]:+.1f} %.")
+
+
+def section(runs, base, found):
+    rows = [row for row in runs if row["group"] == physics.GROUP]
+    alike, scatter = scatter_of(runs, base["spacing"])
     yield "\n## What the forces hang on\n"
     missing = [point.label for point in physics.POINTS if point.label not in {row["label"] for row in rows}]
     failed = [row["label"] for row in rows if row.get("cutting_force") is None]
     rows = [row for row in rows if row.get("cutting_force") is not None]
     yield (f"The base of the orthogonal cut ({base['runs']} runs, dx = {base['spacing']:.3g} um) with one physical "
            "input changed at a time. Not in the chart above, and not for choosing: other inputs are other experiments. "
-           "Changes are against the base, +- twice the standard error of the difference; a run that was not repeated "
-           "is taken to scatter as the base's repeats do, or as its own blocks if that is more.\n")
+           "Changes are against the base, +- twice the standard error of the difference; a run is taken to scatter as "
+           f"{alike} runs do that differ in the time step, the mass factor or the pressure diffusion, or as its own "
+           "blocks if that is more.\n")
     if missing or failed:
         yield f"Have not run: {listed(missing)}. Did not end: {listed(failed)}.\n"
-    target, changes = measured(), {row["label"]: change(row, base) for row in rows}
+    target, changes = measured(), {row["label"]: change(row, base, scatter) for row in rows}
     ours = limits(base, found)
     yield " ".join([gap(base, ours, target), hangs_on("cutting_force", changes), hangs_on("feed_force", changes),
-                    feed_alone(changes, ours, target), *closing(rows, ours, changes, target)]) + "\n"
+                    *directions(changes, ours, target), *edge_for_feed_force(changes, ours, target),
+                    *closing(rows, ours, changes, target)]) + "\n"
     yield "| input | F_c, N | F_f, N | h_c / h | F_c | F_f | h_c / h | highest temperature, K | keys changed |"
     yield "|" + "---|" * 9
     order = [point.label for point in physics.POINTS]

@@ -5,7 +5,7 @@ import os
 COLUMNS = ["scene", "group", "label", "changes", "spacing", "build", "status", "core_seconds", "particle_steps",
            "particles", "hexes", "steps", "cutting_force", "cutting_force_error", "feed_force", "feed_force_error",
            "chip_thickness", "uncut_thickness", "chip_temperature", "max_temperature", "energy_residual",
-           "viscous_share", "kinetic_share", "deck", "program"]
+           "viscous_share", "hourglass_share", "kinetic_share", "deck", "program"]
 TEXT = {"scene", "group", "label", "changes", "build", "status", "deck", "program"}
 
 
