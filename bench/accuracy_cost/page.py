@@ -63,7 +63,8 @@ def advice(rows, found):
     parts = [advised(rows, found, limit, f"{100 * limit:.0f} %") for limit in limits]
     if len(limits) < 3:
         tighter = next(limit for limit in (0.05, 0.02, 0.01) if limit < known)
-        parts.append(f"For {100 * tighter:.0f} %: cannot be said, the reference itself is known to {100 * known:.1f} %.")
+        parts.append(f"For {100 * tighter:.0f} %: cannot be said, the reference itself is known to "
+                     f"{100 * known:.1f} %.")
     if not limits:
         parts.append(advised(rows, found, known, f"these {100 * known:.1f} %"))
     return " ".join(parts)
@@ -199,4 +200,9 @@ def text(drawn, runs):
         lines += section(name, tried, rows, found)
         if name == physics.SCENE.name and any(row["group"] == physics.GROUP for row in runs):
             lines += physics_page.section(runs, base_of(SCENES[name], rows), found)
+    for scene in SCENES.values():
+        if scene.name not in drawn:
+            tried = sum(row["scene"] == scene.name for row in runs)
+            planned = sum(not point.full for point in points.points_of(scene))
+            lines.append(f"\n## {scene.title.capitalize()}\n\n{tried} of {planned} points have run: too few to draw.")
     return "\n".join(lines) + "\n"

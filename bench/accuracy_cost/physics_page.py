@@ -94,7 +94,7 @@ def hangs_on(name, changes):
 
 def gap(base, ours, target):
     at_base = values(base)
-    parts = [f"{NAMES[name][0]} is {ours[name][0]:.3g} +- {ours[name][1]:.2g} with the spacing taken to 0 ("
+    parts = [f"{NAMES[name][0]} is {ours[name][0]:.3g} +- {ours[name][1]:.2g} at the reference ("
              f"{100 * (ours[name][0] / value - 1):+.0f} %; in the base {100 * (at_base[name][0] / value - 1):+.0f} %), "
              f"measured {value:.3g} +- {two_sigma:.2g}"
              for name, (value, two_sigma) in target.items() if name in ours and name in at_base]
