@@ -1,9 +1,9 @@
 // d_i += b_i dt,  b_i = -sum_j V_j [x_ij . (v_ij - (D_i + D_j) x_ij / 2)] grad W_ij
-// The displacement that the velocity gradients do not explain: where the planes of a lattice move against each
-// other b is 1.8 times their velocity, in a linear field it is zero. It turns with the material and returns
-// with the deviator, as the hourglass forces of the hexes do (hex8.hpp); particle_forces resists differences
-// of it, the purpose of the non-hourglass penalty of Zhang et al. (2024), arXiv 2409.11474, in a form that
-// keeps linear and angular momentum. Reads hourglass_rate (of particle_forces) and points; writes
+// The displacement that the velocity gradients do not explain: where the planes of a lattice move against
+// each other b is 1.8 times their velocity, in a linear field it is zero. It turns with the material and
+// returns with the deviator, as the hourglass forces of the hexes do (hex8.hpp); particle_forces resists
+// differences of it, the purpose of the non-hourglass penalty of Zhang et al. (2024), arXiv 2409.11474, in a
+// form that keeps linear and angular momentum. Reads hourglass_rate (of particle_forces) and points; writes
 // hourglass_displacement, rows [0, count + tied); tied particles have none: they follow hexes.
 #include "swarf/kernels.hpp"
 #include "swarf/stress_update.hpp"
