@@ -19,9 +19,7 @@ KOKKOS_INLINE_FUNCTION Vector3Of<Pack> sum_differences(const Particles& p, const
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
     const int j = n.neighbor(k);
     const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const Pack inverse_h = mean_inverse_h(inverse_h_i, p.smoothing_length(j));
-    const Pack W =
-        inverse_h * inverse_h * inverse_h * kernel_shape(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h);
+    const Pack W = pair_weight(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
     const Pack rho_j(p.impedance(j, 1)); // mass-scaled, as rho_i: the factor cancels
     const Pack share = Pack(Real(2) * p.volume(j)) * rho_j / (rho_i + rho_j);
     sum = sum + (share * W) * (broadcast_vector(p.velocity, j) - v_i);

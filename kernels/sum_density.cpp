@@ -15,9 +15,7 @@ KOKKOS_INLINE_FUNCTION Pack sum_mass(const Particles& p, const Neighbors& n, int
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
     const int j = n.neighbor(k);
     const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const Pack inverse_h = mean_inverse_h(inverse_h_i, p.smoothing_length(j));
-    const Pack W =
-        inverse_h * inverse_h * inverse_h * kernel_shape(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h);
+    const Pack W = pair_weight(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
     sum += Pack(p.volume(j) * p.impedance(j, 1)) * W;
   }
   return sum;

@@ -65,6 +65,11 @@ KOKKOS_FORCEINLINE_FUNCTION Pack mean_inverse_h(const Pack& inverse_h_i, Real h_
   return Pack(Real(0.5)) * (inverse_h_i + Pack(Real(1) / h_j));
 }
 
+// W_ij at h_ij.
+KOKKOS_FORCEINLINE_FUNCTION Pack pair_weight(const Vector3Of<Pack>& x_ij, const Pack& inverse_h) {
+  return inverse_h * inverse_h * inverse_h * kernel_shape(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h);
+}
+
 // (dW/dr) / r at h_ij: grad_i W_ij is this times x_ij.
 KOKKOS_FORCEINLINE_FUNCTION Pack pair_slope(const Vector3Of<Pack>& x_ij, const Pack& inverse_h) {
   const Pack q = Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h;
