@@ -15,13 +15,12 @@ import labels
 import page
 import physics
 import results
-from reference import combine, references, widen
+from reference import ENERGY, combine, references, widen
 from scenes import SCENES
 
 HERE = pathlib.Path(__file__).resolve().parent
 DOCS = HERE.parents[1] / "docs"
 MARKERS = "osD^v<>pPXhd*"
-ENERGY = 0.01  # of the external work: with a larger residual a small error is luck
 FLOOR = 0.1  # of the band's height: a smaller error is drawn here
 
 
@@ -132,10 +131,10 @@ def draw_convergence(axes, reference):
 def draw(scene, rows, found):
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.7, 6.6), dpi=150, width_ratios=(2.6, 1),
                                          layout="constrained")
-    complete = [row for row in rows if row.get("cutting_force") is not None]
+    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] != "combination"]
     figure.suptitle(f"Accuracy against cost: {scene.title}", fontsize=11)
     draw_convergence(right, found["cutting_force"])
-    failed = [row["label"] for row in rows if row["status"] != "complete"]
+    failed = [row["label"] for row in rows if row["status"] != "complete" and row["group"] != "combination"]
     if failed:
         figure.supxlabel("did not end: " + ", ".join(failed), fontsize=7)
     draw_cost(left, figure, scene, complete, found)
@@ -149,12 +148,12 @@ def main():
     drawn = {}
     for scene in SCENES.values():
         runs = [row for row in rows if row["scene"] == scene.name and row["group"] != physics.GROUP]
-        ours = combine(runs, scene.spacing)
+        ours, scatter = combine(runs, scene.spacing)
         found = references(ours)
         if "cutting_force" not in found:
             print(f"{scene.name}: not enough points yet", file=sys.stderr)
             continue
-        widen(ours, found)
+        widen(ours, found, scatter)
         draw(scene, ours, found)
         drawn[scene.name] = ({row["label"] for row in runs}, ours, found)
     if drawn:

@@ -3,7 +3,7 @@ import draw
 import physics
 import physics_page
 import points
-from reference import QUANTITIES
+from reference import ENERGY, QUANTITIES, SERIES
 from scenes import SCENES
 
 HEAD = """# Accuracy against cost
@@ -11,15 +11,19 @@ HEAD = """# Accuracy against cost
 Made by `bench/accuracy_cost/run`; every number is from `bench/accuracy_cost/results.csv`. Cost is the processor time
 of the whole program on one thread, so it does not count waiting for other programs. One setting is changed at a time
 from the committed decks, in a shorter form of them (`bench/accuracy_cost/scenes.py`); "together" has the best setting
-of each at once.
+of each at once, but those that lose the energy balance with others. "3 x" is the mean of three runs: at the uncut
+thickness and at a third of a spacing more and less, so that the edge meets the rows of particles at three places.
 
 - Cutting force: component against the motion of the edge, feed force: away from the finished surface.
   {windows}
   Their scatter, drawn twice, is the standard error of six block means, or what repeats with a step a little
-  shorter differ by, or what the points of the series of spacings leave about their fit, whichever is most.
+  shorter differ by, or what the three thicknesses of each spacing differ by beyond a line in the thickness (divided
+  by the root of three for a mean of three), whichever is most; for means also what they leave about the fit over the
+  spacing.
 - Chip thickness: volume of the chip per width and length along the rake face, over half an uncut thickness h
   of that face, from where it is 1.1 h above the finished surface. Chip temperature: mean there.
-- Reference: the limit of spacing 0 with the observed order (Richardson), from the points that differ in spacing only.
+- Reference: the limit of spacing 0 with the observed order (Richardson), from the points that differ in spacing
+  only, means of three where they have run.
   Its uncertainty is twice the standard deviation of that limit when the points scatter by their own error or by what
   the fit leaves, whichever is more. It says nothing about settings that all points share.
 - Errors carry their sign: two that cancel are luck, not accuracy. "For 5 %" asks that error and standard error
@@ -51,10 +55,10 @@ def qualifies(row, rows, found, limit):
     def within(one):
         scatter = one["cutting_force_error"] / abs(found["cutting_force"].value)
         error = abs(draw.error_of(one, "cutting_force", found))
-        return error + scatter <= limit and abs(one["energy_residual"]) <= draw.ENERGY
-    if row["group"] != "spacing":
+        return error + scatter <= limit and abs(one["energy_residual"]) <= ENERGY
+    if row["group"] not in (*SERIES, "together", "together, mean of three"):
         return within(row)
-    return all(within(one) for one in rows if one["group"] == "spacing" and one["spacing"] <= row["spacing"])
+    return all(within(one) for one in rows if one["group"] == row["group"] and one["spacing"] <= row["spacing"])
 
 
 def advice(rows, found):
@@ -127,7 +131,8 @@ def shared_settings(scene, rows):
     changes = []
     for row in rows:
         if row["label"] in SHARED:
-            scatter = (row["cutting_force_error"]**2 + base["cutting_force_error"]**2)**0.5 / base["cutting_force"]
+            errors = (one["cutting_force_own_error"] for one in (row, base))
+            scatter = sum(error**2 for error in errors)**0.5 / base["cutting_force"]
             changes.append(f"{row['label']} {_percent(row['cutting_force'] / base['cutting_force'] - 1)} "
                            f"(+- {200 * scatter:.1f})")
     return ("All points share what the reference therefore does not see. Cutting force against the base, with settings "
@@ -145,7 +150,7 @@ def stiffness_over_spacing(rows):
     said = []
     for spacing in both:
         ours, theirs = with_it[spacing], without[spacing]
-        errors = (one.get("cutting_force_own_error", one["cutting_force_error"]) for one in (ours, theirs))
+        errors = (one["cutting_force_own_error"] for one in (ours, theirs))
         scatter = sum(error**2 for error in errors)**0.5 / theirs["cutting_force"]
         change = ours["cutting_force"] / theirs["cutting_force"] - 1
         said.append(f"{_percent(change)} (+- {200 * scatter:.1f}) at dx = {spacing:.3g} um")
@@ -164,13 +169,28 @@ def hourglass_over_spacing(rows):
             + (f"With other settings: {others}." if others else ""))
 
 
+def combination(rows):
+    """Which of the best settings get on with one another."""
+    tried = [row for row in rows if row["group"] == "combination"]
+    kept = [row for row in tried if row["status"] == "complete" and abs(row["energy_residual"]) <= ENERGY]
+    if not tried:
+        return None
+    said = [f"\"{row['label']}\" ({_percent(row['energy_residual'])}"
+            f"{', did not end' if row['status'] != 'complete' else ''})" for row in tried if row not in kept]
+    best = max(kept, key=lambda row: row["label"].count(" + "))["label"] if kept else "none"
+    lost = f" These lose it, and their last setting was left out: {', '.join(said)}." if said else ""
+    return (f"Each of a group the cheapest that is no worse, within the scatter, and at least 10 % cheaper, the "
+            f"cheapest first, tried at dx = {tried[0]['spacing']:.3g} um. Together they keep their energy balance with: "
+            f"{best}.{lost}")
+
+
 def section(name, tried, rows, found):
     scene = SCENES[name]
     planned = {point.label for point in points.points_of(scene) if not point.full}
     missing = [point.label for point in points.points_of(scene) if point.label in planned - tried]
     spacings = {point.label for point in points.points_of(scene) if point.group == "spacing" and not point.full}
-    complete = [row for row in rows if row.get("cutting_force") is not None]
-    failed = [row for row in rows if row["status"] != "complete"]
+    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] != "combination"]
+    failed = [row for row in rows if row["status"] != "complete" and row["group"] != "combination"]
     yield f"\n## {scene.title.capitalize()}\n"
     yield f"![Error of the cutting force against core-seconds](accuracy_cost_{name}.png)\n"
     if missing:
@@ -181,6 +201,8 @@ def section(name, tried, rows, found):
         yield "The series of spacings is not whole, so there is no reference to conclude from.\n"
     if failed:
         yield f"{len(failed)} of {len(rows)} points did not end: " + ", ".join(row["label"] for row in failed) + ".\n"
+    if combined := combination(rows):
+        yield combined + "\n"
     yield "Reference (errors in the table are relative to it):\n"
     yield "\n".join(reference_lines(found)) + "\n"
     if shared := shared_settings(scene, complete):
@@ -195,7 +217,7 @@ def text(drawn, runs):
     orthogonal, milling = SCENES["orthogonal"], SCENES["milling"]
     windows = (f"Means over the last {100 * orthogonal.averaged:.0f} % of the orthogonal cut, and over immersion "
                f"{milling.immersion[0]:.0f} to {milling.immersion[1]:.0f} deg of the mill.")
-    lines = [HEAD.format(windows=windows, energy=100 * draw.ENERGY)]
+    lines = [HEAD.format(windows=windows, energy=100 * ENERGY)]
     for name, (tried, rows, found) in drawn.items():
         lines += section(name, tried, rows, found)
         if name == physics.SCENE.name and any(row["group"] == physics.GROUP for row in runs):

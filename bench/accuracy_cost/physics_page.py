@@ -27,10 +27,11 @@ def measured():
 
 def values(row):
     """{quantity: value and standard error}"""
-    found = {name: (row[name], row.get(name + "_error") or 0.0) for name in ("cutting_force", "feed_force")}
+    found = {name: (row[name], row.get(name + "_own_error", row.get(name + "_error")) or 0.0)  # at the same rows
+             for name in ("cutting_force", "feed_force")}
     if row.get("chip_thickness") is not None:
-        found["ratio"] = tuple((row.get(key) or 0.0) / row["uncut_thickness"]
-                               for key in ("chip_thickness", "chip_thickness_error"))
+        thickness, error = row["chip_thickness"], row.get("chip_thickness_own_error", row.get("chip_thickness_error"))
+        found["ratio"] = (thickness / row["uncut_thickness"], (error or 0.0) / row["uncut_thickness"])
     return found
 
 

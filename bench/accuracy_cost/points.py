@@ -1,6 +1,6 @@
 """The points of the sweep. Each is the scene's deck with a few keys replaced, at one spacing."""
 import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Callable
 
 import decks
@@ -57,6 +57,25 @@ def all_hexes(scene, strain):
         scene.fill_all(deck, "hexes")
         deck.setdefault("hexes", {})["delete_at_strain"] = strain
     return change
+
+
+# A row of particles that passes just below the edge at one spacing passes above it at another, and the force with it.
+# Thicker and thinner by a third of a spacing, the edge meets the rows at three places evenly apart: in the mean what
+# it meets falls to a third, and the thickness is the deck's.
+THICKNESSES = {"h + dx/3": 1 / 3, "h - dx/3": -1 / 3}
+THREE = "thickness"  # the group of these points
+MEAN_OF = {"spacing": "mean of three", "together": "together, mean of three"}  # groups that have such points
+
+
+def thicknesses(point, group):
+    """The two points that differ from this one in where the edge meets the rows."""
+    def by(share):
+        def change(deck):
+            point.change(deck)
+            point.scene.thicken(deck, share * (point.spacing or point.scene.spacing) * 1e-6)
+        return change
+    return [replace(point, group=group, label=f"{point.label}, {name}", change=by(share))
+            for name, share in THICKNESSES.items()]
 
 
 # Without hourglass stiffness over the spacing: does the force that it adds vanish with the spacing?
@@ -133,6 +152,7 @@ def points_of(scene):
     own_work = orthogonal_work(scene) if scene.name == "orthogonal" else milling_work(scene)
     points = [Point(scene, "spacing", f"dx {spacing:.3g}", spacing=spacing, full=spacing in scene.fine_spacings)
               for spacing in scene.spacings + scene.fine_spacings]
+    points += [one for point in list(points) for one in thicknesses(point, THREE)]
     points += [Point(scene, "repeat", f"repeat {k}", shorter_step(k)) for k in (1, 2, 3)]
     if scene.name == "orthogonal":
         points += [Point(scene, STIFFNESS_0, f"stiffness 0, dx {spacing:.3g}",
@@ -143,7 +163,7 @@ def points_of(scene):
                      Point(scene, "committed deck", "shipped deck", committed=True)]
 
 
-def together(scene, chosen, spacings):
+def at_once(scene, chosen, group, label, spacing):
     """The chosen settings of all groups at once, in the order of the list of points."""
     if any(point.group == "fill" for point in chosen):  # one body: there is no band
         chosen = [point for point in chosen if point.group != "band"]
@@ -152,8 +172,18 @@ def together(scene, chosen, spacings):
         for point in chosen:
             point.change(deck)
     build = next((point.build for point in chosen if point.build != "release"), "release")
-    return [Point(scene, "together", f"together, dx {spacing:.3g}", change, spacing=spacing, build=build)
-            for spacing in spacings]
+    return Point(scene, group, label, change, spacing=spacing, build=build)
+
+
+def trial(scene, chosen):
+    """At the coarsest spacing: are these stable together?"""
+    return at_once(scene, chosen, "combination", " + ".join(point.label for point in chosen), scene.spacings[0])
+
+
+def together(scene, chosen):
+    found = [at_once(scene, chosen, "together", f"together, dx {spacing:.3g}", spacing)
+             for spacing in scene.together_spacings]
+    return [one for point in found for one in (point, *thicknesses(point, THREE))]
 
 
 ALL = [point for scene in SCENES.values() for point in points_of(scene)]

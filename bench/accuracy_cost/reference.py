@@ -3,11 +3,18 @@ from dataclasses import dataclass
 
 import numpy
 
+import points
+import thickness
+
+ENERGY = 0.01  # of the external work: with a larger residual a small error is luck
 QUANTITIES = {"cutting_force": "F_c", "feed_force": "F_f", "chip_thickness": "chip thickness",
               "chip_temperature": "chip temperature", "max_temperature": "highest temperature"}
 ORDERS = numpy.linspace(0.5, 2.0, 31)  # the kernel sum is of second order at best
 SAMPLES = 500
-NO_SETTING = ("spacing", "stiffness 0 over dx", "together", "committed deck")  # groups that are not of one setting
+SERIES = ("spacing", "mean of three")  # groups that differ in the spacing only
+CHEAPER = 0.9  # of the base's cost; the processor time of one and the same run differs by 5 %
+SETTINGS_BUT = ("stiffness 0 over dx", "combination", "together", "together, mean of three",
+                "committed deck", *SERIES)  # groups that are not of one setting
 
 
 @dataclass
@@ -76,30 +83,39 @@ def _mean(runs):
 
 
 def combine(rows, base_spacing):
-    """One row per setting: repeats of the base, whose step is a little shorter, become one row with it."""
+    """One row per setting: repeats of the base, whose step is a little shorter, become one row with it. Points of
+    three thicknesses become their mean, beside the point that is as the deck. And what one run scatters by."""
     same = [row for row in rows if row["status"] == "complete" and
             (row["group"] == "repeat" or row["group"] == "spacing" and row["spacing"] == base_spacing)]
     others = [dict(row, runs=1) for row in rows if row["group"] != "repeat" and row not in same]
     same.sort(key=lambda row: row["group"] == "repeat")
-    return ([_mean(same)] if same and same[0]["group"] == "spacing" else []) + others
+    single = ([_mean(same)] if same and same[0]["group"] == "spacing" else []) + others
+    means, scatter = thickness.means(single, QUANTITIES)
+    return [row for row in single if row["group"] != points.THREE] + means, scatter
 
 
-def widen(rows, found):
-    """No error less than what the points scatter by about the fit over the spacing: at some spacings one row of
-    particles more passes below the edge, which neither the blocks nor the repeats of one spacing show."""
+def widen(rows, found, scatter):
+    """No error less than what one run scatters by when the edge meets the rows elsewhere, or, if that is not known,
+    what the points leave about the fit over the spacing: neither the blocks nor the repeats of one spacing show it."""
     for row in rows:
         for quantity, reference in found.items():
-            if row.get(quantity) is not None and row["group"] != "spacing":
-                row[quantity + "_own_error"] = row.get(quantity + "_error") or 0.0  # enough at one and the same spacing
-                row[quantity + "_error"] = max(row[quantity + "_own_error"], reference.scatter)
+            if row.get(quantity) is None:
+                continue
+            own = row[quantity + "_own_error"] = row.get(quantity + "_error") or 0.0  # enough at the same rows
+            if row["group"] in points.MEAN_OF.values():
+                row[quantity + "_error"] = max(own, reference.scatter)
+            elif quantity in scatter or row["group"] != "spacing":
+                row[quantity + "_error"] = max(own, scatter.get(quantity, reference.scatter))
     return rows
 
 
 def references(rows):
-    """{quantity: Reference} from the points that differ in spacing only."""
+    """{quantity: Reference} from the points that differ in spacing only: means of three, if enough have run."""
     found = {}
     for quantity in QUANTITIES:
-        series = [row for row in rows if row["group"] == "spacing" and row.get(quantity) is not None]
+        known = {group: [row for row in rows if row["group"] == group and row.get(quantity) is not None]
+                 for group in SERIES}
+        series = known["mean of three"] if len(known["mean of three"]) >= 4 else known["spacing"]
         if len(series) < 2:
             continue
         found[quantity] = extrapolate([row["spacing"] for row in series], [row[quantity] for row in series],
@@ -108,7 +124,8 @@ def references(rows):
 
 
 def best_settings(rows, base, references):
-    """Of each group the cheapest setting whose errors are, within twice the scatter, no worse than the base's."""
+    """Of each group the cheapest setting whose errors are, within twice the scatter, no worse than the base's, and
+    which costs less by more than the same run's cost differs."""
     def no_worse(row, quantity):
         if quantity not in references or base.get(quantity) is None:
             return True
@@ -120,9 +137,9 @@ def best_settings(rows, base, references):
 
     groups = {}
     for row in rows:
-        if row["group"] in NO_SETTING or row["status"] != "complete":
+        if row["group"] in SETTINGS_BUT or row["status"] != "complete" or abs(row["energy_residual"]) > ENERGY:
             continue
         good = all(no_worse(row, quantity) for quantity in ("cutting_force", "feed_force", "chip_thickness"))
-        if good and row["core_seconds"] < groups.get(row["group"], base)["core_seconds"]:
+        if good and row["core_seconds"] < min(CHEAPER * base["core_seconds"], groups.get(row["group"], base)["core_seconds"]):
             groups[row["group"]] = row
-    return list(groups.values())
+    return sorted(groups.values(), key=lambda row: row["core_seconds"])

@@ -10,6 +10,7 @@ class Orthogonal:
     # um; whole cells in the 80 um of the cut zone. Many coarse ones: which row of particles passes below the edge
     # differs between them, and with it the force.
     spacing, spacings, fine_spacings = 5.0, [80 / n for n in (8, 9, 10, 11, 12, 14, 16, 20, 24, 32)], [2.0]
+    together_spacings = [80 / n for n in (8, 10, 12, 16, 20, 24, 32)]
     trend = False
     cut_time = 0.2e-3   # 95 um of cut. Later the force wanders: repeats then differ by 4 %, here by 1 %
     averaged = 0.5      # of the cut, at its end
@@ -44,6 +45,10 @@ class Orthogonal:
         deck["tool"]["width"] = decks.length(3 * width)
         deck["tool"]["position"][2] = decks.length(width / 2)
         self.prepare_output(deck)
+
+    def thicken(self, deck, more):
+        position = deck["tool"]["position"]
+        position[1] = decks.length(decks.si(position[1]) - more)
 
     def set_band(self, deck, below):
         """Depth of the particles below the finished surface; hexes fill what was there before."""
@@ -80,6 +85,7 @@ class Milling:
     name, deck_file = "milling", "inputs/micro_milling_quick.toml"
     title = "milling slice"
     spacing, spacings, fine_spacings = 2.5, [32.5 / n for n in (8, 9, 10, 11, 13, 16, 20)], [1.25]  # um; 13: as shipped
+    together_spacings = [32.5 / n for n in (8, 9, 10, 11, 13, 16, 20)]
     trend = True            # the chip grows with the immersion
     sector_start = 2.0        # deg, instead of -12: the run ends sooner
     immersion = (76.0, 81.0)  # deg: the averages are from here to here, also of runs that end later
@@ -130,6 +136,10 @@ class Milling:
         decks.body(deck, "cut zone")["cells"][1] = count
         decks.body(deck, "bulk")["cells"][1] = count // 2
         self._set_height(deck, count * cell)
+
+    def thicken(self, deck, more):
+        tool = deck["tool"]
+        tool["feed_per_tooth"] = decks.length(decks.si(tool["feed_per_tooth"]) + more)
 
     def set_band(self, deck, rows):
         """Rows of particles along the radius, more or fewer; hexes fill what was there before."""

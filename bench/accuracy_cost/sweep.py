@@ -36,6 +36,8 @@ def digest(data):
 
 
 class Sweep:
+    FOUND = ("combination", "together")  # groups of points that the results of others say
+
     def __init__(self, options):
         self.options = options
         self.runs = ROOT / "results" / "accuracy_cost"
@@ -68,7 +70,7 @@ class Sweep:
     def keep(self, row):
         """In place of what was known of the point, and of points that were of other decks or programs."""
         current = [one for point in EVERY if (one := self.row_of(point))]
-        current += [one for one in self.rows if one["group"] == "together"]
+        current += [one for one in self.rows if one["group"] in self.FOUND or "together" in one["label"]]
         self.rows = [one for one in current if (one["scene"], one["label"]) != (row["scene"], row["label"])]
         self.rows.append(row)
         results.write(RESULTS, self.rows)
@@ -133,22 +135,37 @@ class Sweep:
             self.run(point)
         return left
 
-    def together(self, scene):
-        """The best settings at once, when every setting has been tried, or of those that have if that is asked for."""
+    def best(self, scene):
+        """The best settings, cheapest first, when every setting has been tried, or of those that have if that is
+        asked for."""
         singles = [point for point in points.points_of(scene) if self.options.full or not point.full]
         rows = [row for point in singles if (row := self.row_of(point))]
         all_tried = len(rows) == len(singles)
-        rows = reference.combine(rows, scene.spacing)
+        rows, scatter = reference.combine(rows, scene.spacing)
         base = next((row for row in rows if row["group"] == "spacing" and row["spacing"] == scene.spacing), None)
         if not (all_tried or self.options.together) or not base or base["status"] != "complete":
             return []
         found = reference.references(rows)
-        best = {row["label"] for row in reference.best_settings(reference.widen(rows, found), base, found)}
-        found = points.together(scene, [point for point in singles if point.label in best],
-                                scene.spacings[:8:2])
-        decks_now = {self.hash_of(point) for point in found}
-        self.rows = [row for row in self.rows if row["scene"] != scene.name or row["group"] != "together"
-                     or row["deck"] in decks_now]
+        best = reference.best_settings(reference.widen(rows, found, scatter), base, found)
+        of_label = {point.label: point for point in singles}
+        return [of_label[row["label"]] for row in best]
+
+    def together(self, scene):
+        """The best settings at once: one after the other joins those before it, unless together they lose their
+        energy balance, each passing alone as it may."""
+        chosen, tried = [], []
+        for setting in self.best(scene):
+            tried.append(points.trial(scene, [*chosen, setting]))
+            if chosen:
+                self.run_missing(tried[-1:])
+                row = self.row_of(tried[-1])
+                if not row or row["status"] != "complete" or abs(row["energy_residual"]) > reference.ENERGY:
+                    continue
+            chosen.append(setting)
+        found = points.together(scene, chosen) if len(chosen) > 1 else []
+        decks_now = {self.hash_of(point) for point in tried + found}
+        self.rows = [row for row in self.rows if row["scene"] != scene.name or row["deck"] in decks_now
+                     or not (row["group"] in self.FOUND or "together" in row["label"])]
         return found
 
 
