@@ -124,7 +124,7 @@ def draw_convergence(axes, reference):
     axes.axhline(reference.value, color="0.5", linewidth=0.8, linestyle="--")
     axes.set(xlabel="spacing dx, um", ylabel="cutting force, N", xlim=(0, None))
     where = "at dx = 0" if reference.order else "from the finest three"
-    axes.set_title(f"{reference.value:.3g} +- {reference.uncertainty:.2g} N {where}, {order}", fontsize=8)
+    axes.set_title(f"{reference.value:.3g} +- {reference.uncertainty:.2g} N {where},\n{order}", fontsize=8)
     axes.grid(alpha=0.3, linewidth=0.4)
 
 

@@ -56,7 +56,8 @@ def extrapolate(spacing, values, error):
     if len(values) < 4:
         finest = values[:3]
         return Reference(finest[0], float(numpy.ptp(finest)) if len(finest) > 1 else abs(finest[0]), None, 0.0, series)
-    error = numpy.maximum(error, 1e-6 * abs(values).max())
+    if not error.all():  # not known of some: all alike
+        error[:] = 1e-6 * abs(values).max()
     limit, slope, order, squares = _best(spacing, values, error)
     fitted = limit + slope * spacing**order
     scatter = float(numpy.sqrt(((values - fitted) ** 2).sum() / (len(values) - 3)))
