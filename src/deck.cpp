@@ -12,8 +12,8 @@
 namespace swarf {
 namespace {
 
-const std::vector<std::string> section_names = {"material",  "body",  "tool", "contact",
-                                                "particles", "hexes", "run",  "output"};
+const std::vector<std::string> section_names = {"material", "body", "tool",   "contact", "particles",
+                                                "hexes",    "run",  "output", "windows"};
 
 class DeckReader {
  public:
@@ -36,6 +36,7 @@ class DeckReader {
   void read_tool();
   void read_output();
   void read_run();
+  void read_windows();
 };
 
 // The table, or an empty one so that the defaults are filled in.
@@ -176,6 +177,15 @@ void DeckReader::read_output() {
               report);
 }
 
+void DeckReader::read_windows() {
+  if (!root.contains("windows")) return;
+  const toml::table& table = find_section("windows");
+  if (&table == &empty) return; // reported
+  WindowsDeck& windows = deck.windows.emplace();
+  windows.line = int(table.source().begin.line);
+  read_keys(table, "windows", windows_keys(), windows, report);
+}
+
 Deck DeckReader::read() {
   read_top();
   read_materials();
@@ -185,6 +195,7 @@ Deck DeckReader::read() {
   read_keys(find_section("hexes"), "hexes", hexes_keys(), deck.hexes, report);
   read_run();
   read_output();
+  read_windows();
   report.throw_if_any();
   check_deck(deck, root, report);
   report.throw_if_any();

@@ -113,6 +113,16 @@ struct RunDeck {
   bool operator==(const RunDeck&) const = default;
 };
 
+// Short runs spread over a pass, in place of the whole of it. Angles in rad.
+struct WindowsDeck {
+  double first = 0, last = 0, step = 0; // immersion at their centres
+  double width = 0;                     // measured, about the centre
+  double run_in = 0;                    // from the free end to where the measurement begins
+  double ahead = 0;                     // of the measurement's end, that the material goes on
+  int line = 0;                         // of the deck, for messages; 0: not from the deck
+  bool operator==(const WindowsDeck&) const = default;
+};
+
 struct LabelledForce {
   std::string label;
   double force; // N
@@ -144,6 +154,7 @@ struct Deck {
   HexesDeck hexes;
   RunDeck run;
   OutputDeck output;
+  std::optional<WindowsDeck> windows;
   bool operator==(const Deck&) const = default;
 };
 
@@ -156,7 +167,7 @@ bool conducts_heat(const Deck& deck);
 // When the run ends, s.
 double end_time_of(const Deck& deck);
 // The deck as TOML with every default written out, in SI units. Reading it back gives the same Deck, bit by
-// bit, but for `file` and the `line` of the bodies.
+// bit, but for `file` and the `line` of bodies and windows.
 std::string resolved_deck(const Deck& deck);
 // Reference page of all keys: key, unit, bounds, default, help (Markdown).
 std::string key_reference();

@@ -125,6 +125,23 @@ const Keys<OutputDeck>& output_keys() {
   return keys;
 }
 
+const Keys<WindowsDeck>& windows_keys() {
+  using W = WindowsDeck;
+  const Range immersion{-360, 720}, length{0, 180, true, false};
+  static const Keys<W> keys = {
+      {"first", &W::first, D::angle, immersion, R"("10 deg")", always, "immersion at the first centre"},
+      {"last", &W::last, D::angle, immersion, R"("170 deg")", always, "no centre lies beyond it"},
+      {"step", &W::step, D::angle, length, R"("20 deg")", always, "from centre to centre"},
+      {"width", &W::width, D::angle, length, R"("4 deg")", always,
+       "of the measurement about the centre; the standard error falls with its root"},
+      {"run_in", &W::run_in, D::angle, Range{0, 180}, R"("8 deg")", always,
+       "cut before the measurement, until the chip has formed; a helix adds its lag over the depth of cut"},
+      {"ahead", &W::ahead, D::angle, length, R"("7 deg")", always,
+       "of the end of the measurement, that the material goes on"},
+  };
+  return keys;
+}
+
 const Keys<LabelledForce>& published_keys() {
   using L = LabelledForce;
   static const Keys<L> keys = {

@@ -107,6 +107,7 @@ std::string resolved_deck(const Deck& deck) {
   text += "\n[particles]\n" + write_keys(particles_keys(), deck.particles);
   text += "\n[hexes]\n" + write_keys(hexes_keys(), deck.hexes);
   text += "\n[run]\n" + write_keys(run_keys(), deck.run);
+  if (deck.windows) text += "\n[windows]\n" + write_keys(windows_keys(), *deck.windows);
   text += "\n[output]\n" + write_keys(output_keys(), deck.output);
   return text + write_published(deck.output.published);
 }
@@ -133,7 +134,12 @@ std::string key_reference() {
   text += write_reference("[hexes]", "Method of the hexes.", hexes_keys());
   text += write_reference("[run]", "Exactly one of end_time and end_immersion.", run_keys());
   text += write_reference("[output]", "What is written, and how often.", output_keys());
-  return text + write_reference("output.published", "Each entry of the list:", published_keys());
+  text += write_reference("output.published", "Each entry of the list:", published_keys());
+  return text +
+         write_reference("[windows]",
+                         "Optional: runs short windows spread over the pass instead of the whole of it, as "
+                         "swarf run --windows first:last:step does. An end mill and rings only.",
+                         windows_keys());
 }
 
 } // namespace swarf

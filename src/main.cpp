@@ -1,9 +1,11 @@
 // The program: swarf run | check | keys | plot | render.
 #include "src/check.hpp"
+#include "src/child_process.hpp"
 #include "src/pictures.hpp"
 #include "src/render.hpp"
 #include "src/results.hpp"
 #include "src/run.hpp"
+#include "src/run_windows.hpp"
 #include "src/simulation.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,7 +34,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   swarf::RunOptions options;
   int threads = 0;
-  bool no_pictures = false;
+  bool no_pictures = false, whole = false;
+  swarf::WindowsOptions windows;
 
   CLI::App* run = app.add_subcommand("run", "run a deck");
   run->add_option("deck", options.deck, "the deck, a TOML file")->required();
@@ -42,6 +45,12 @@ int main(int argc, char** argv) {
   run->add_option("--stop-after", options.stop_after, "stop after so many steps")->check(CLI::PositiveNumber);
   run->add_flag("--resume", options.resume, "continue from the folder's checkpoint");
   run->add_flag("--no-pictures", no_pictures, "draw nothing at the end");
+  CLI::Option* spread =
+      run->add_option("--windows", windows.windows,
+                      "run short windows of immersion first:last:step, deg, instead of the whole pass");
+  run->add_option("--jobs", windows.jobs, "windows side by side, of one thread each if there are several")
+      ->check(CLI::Range(1, swarf::ChildProcesses::most));
+  run->add_flag("--whole", whole, "run the whole pass, though the deck has [windows]")->excludes(spread);
 
   CLI::App* check = app.add_subcommand("check", "build the scene, say what it costs and whether it is fit");
   check->add_option("deck", options.deck, "the deck")->required();
@@ -60,7 +69,11 @@ int main(int argc, char** argv) {
     if (*keys) return fmt::print("{}", swarf::key_reference()), 0;
     if (*plot) return swarf::draw_plots(folder), 0;
     if (*render) return swarf::render_strip(folder) ? 0 : 1;
-    options.pictures = !no_pictures;
+    options.pictures = !no_pictures, windows.threads = threads;
+    if (*run && !whole && (*spread || swarf::read_deck(options.deck).windows))
+      return swarf::run_windows(options, windows);
+    if (*run && windows.jobs > 1)
+      throw swarf::DeckError("--jobs counts windows side by side: give --windows too, or --threads instead.");
     const int asked = threads_for(options.deck, threads);
     if (*check) return with_kokkos(asked, [&] { return swarf::check_deck(options.deck), 0; });
     if (*run) return with_kokkos(asked, [&] { return swarf::run_deck(options); });

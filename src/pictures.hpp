@@ -4,8 +4,12 @@
 
 namespace swarf {
 
-// pictures/force.png and pictures/energy.png. Throws ResultsError, DeckError.
+// pictures/force.png and pictures/energy.png; windows.png of a pass in windows. Throws ResultsError,
+// DeckError.
 void draw_plots(const std::string& results);
+
+// windows.png of a pass that was run in windows; what cannot be drawn is said, never thrown.
+void draw_windows(const std::string& results);
 
 // Plots and chip pictures at the end of a run: what cannot be drawn (no display) is said, never thrown.
 void draw_all(const std::string& results);

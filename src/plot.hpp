@@ -1,7 +1,7 @@
 // Curves of a run as PNG, from its history.
 #pragma once
 #include "src/deck.hpp"
-#include "src/results.hpp"
+#include "src/join_windows.hpp"
 
 namespace swarf {
 
@@ -13,5 +13,9 @@ void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
 
 // The energy ledger over the same axis: where the external work went, and the residual.
 void plot_energies(const ResultsFolder& results, const std::filesystem::path& png);
+
+// Force over immersion from windows.csv, with bars of one standard error. Needs a Display. Throws
+// ResultsError.
+void plot_windows(const PassFolder& folder, const std::vector<LabelledForce>& published);
 
 } // namespace swarf

@@ -1,5 +1,6 @@
 #include "src/shape.hpp"
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +14,8 @@ InnerSurface previous_tooth_surface(const ToolDeck& tool, const Triple& origin) 
   const double R = 0.5 * tool.diameter, pitch = 2 * std::numbers::pi / tool.flutes;
   return [=](double angle, double z) {
     const Point e(std::cos(angle), std::sin(angle), 0);
-    const double lag = (z - start.z()) * std::tan(tool.helix) / R; // higher up, the edge comes later
+    // Higher up, the edge comes later. Below the end face none comes: the bore goes on straight.
+    const double lag = std::max(0.0, z - start.z()) * std::tan(tool.helix) / R;
     double immersion = std::atan2(e.x(), e.y()), radius = R;       // clockwise from +y, as start_angle
     // The centre moves by a feed per tooth while the immersion grows by a pitch, so each pass gains a factor
     // of feed / (pitch R), below 1e-2.

@@ -35,7 +35,8 @@ Triple extents(const BodyDeck& b) {
   return {edge, edge, b.outer_radius - b.inner_radius};
 }
 
-// As reals: they may be absurd.
+} // namespace
+
 Triple find_cells(const Deck& deck, const BodyDeck& b) {
   Triple n{};
   if (b.cells) {
@@ -59,6 +60,8 @@ Triple find_cells(const Deck& deck, const BodyDeck& b) {
   }
   return n;
 }
+
+namespace {
 
 double cells_of(const BodyDeck& b, const Triple& n) {
   if (b.shape == "cylinder") return b.fill == "particles" ? pi / 4 * n[0] * n[0] * n[1] : n[0] * n[0] * n[1];

@@ -43,6 +43,9 @@ struct Shape {
 // be meshed.
 Shape make_shape(const Deck& deck, const BodyDeck& body);
 
+// Along the directions of the lattice, see Shape::cells; as reals: they may be absurd.
+Triple find_cells(const Deck& deck, const BodyDeck& body);
+
 // Particles or hexes of the shape, counted before anything is allocated.
 double count_cells(const Deck& deck, const BodyDeck& body);
 
