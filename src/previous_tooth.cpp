@@ -16,7 +16,7 @@ InnerSurface previous_tooth_surface(const ToolDeck& tool, const Triple& origin) 
     const Point e(std::cos(angle), std::sin(angle), 0);
     // Higher up, the edge comes later. Below the end face none comes: the bore goes on straight.
     const double lag = std::max(0.0, z - start.z()) * std::tan(tool.helix) / R;
-    double immersion = std::atan2(e.x(), e.y()), radius = R;       // clockwise from +y, as start_angle
+    double immersion = std::atan2(e.x(), e.y()), radius = R; // clockwise from +y, as start_angle
     // The centre moves by a feed per tooth while the immersion grows by a pitch, so each pass gains a factor
     // of feed / (pitch R), below 1e-2.
     for (int pass = 0; pass < 12; ++pass) {

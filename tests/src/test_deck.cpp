@@ -12,11 +12,12 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Equal but for the file's name and the lines of the bodies.
+// Equal but for the file's name and the lines of bodies and windows.
 void expect_same(Deck a, Deck b) {
   a.file = b.file;
   ASSERT_EQ(a.bodies.size(), b.bodies.size());
   for (std::size_t i = 0; i < a.bodies.size(); ++i) a.bodies[i].line = b.bodies[i].line;
+  if (a.windows && b.windows) a.windows->line = b.windows->line;
   EXPECT_TRUE(a == b);
 }
 
