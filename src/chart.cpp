@@ -102,7 +102,7 @@ void Chart::add(const std::vector<double>& x, const Curve& curve) {
   plot->GetPen()->SetColor(curve.colour[0], curve.colour[1], curve.colour[2], curve.opacity);
   if (points) {
     vtkPlotPoints::SafeDownCast(plot)->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-    vtkPlotPoints::SafeDownCast(plot)->SetMarkerSize(4 * curve.width);
+    vtkPlotPoints::SafeDownCast(plot)->SetMarkerSize(3 * curve.width);
   } else {
     plot->GetPen()->SetLineType(curve.line);
   }
