@@ -1,6 +1,7 @@
 #include "src/check.hpp"
 #include "src/run.hpp"
 #include "src/simulation.hpp"
+#include "src/windows.hpp"
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
@@ -104,6 +105,13 @@ int check_deck(const std::string& file) {
   found.line("time per step", "{:.4g} s on {} threads, start-up {:.2f} s", per_step,
              ExecSpace().concurrency(), start_up);
   found.line("predicted run time", "{:.3g} s ({:.3g} h)", steps * per_step, steps * per_step / 3600);
+  if (deck.windows) {
+    double effort = 0;
+    const std::vector<Window> windows = cut_windows(deck, *deck.windows);
+    for (const Window& window : windows) effort += find_effort(window.deck) / find_effort(deck);
+    found.line("the same in windows", "{} windows, {:.3g} s ({:.1f} %)", windows.size(),
+               effort * steps * per_step, 100 * effort);
+  }
   found.line("memory", "{:.0f} MiB", double(usage.ru_maxrss) / 1024);
   check_cutting(deck, scene, found);
   check_inertia(deck, found);
