@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""Draws docs/windows.png, .svg and writes docs/windows.md from results.json."""
+import json
+import math
+import pathlib
+
+import matplotlib
+
+matplotlib.use("Agg")
+matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
+import matplotlib.pyplot as plt
+import numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+DOCS = HERE.parents[1] / "docs"
+COLOURS = ("#0072b2", "#d55e00")  # Okabe & Ito 2008
+MARKERS = "os"
+
+
+def planar(bins):
+    return numpy.hypot(bins["force_x"], bins["force_y"])
+
+
+def smooth(values, count):
+    kernel = numpy.ones(count) / count
+    return numpy.convolve(values, kernel, mode="valid"), (count - 1) // 2
+
+
+def compared(windows):
+    """The windows whose immersion the whole pass has reached."""
+    return [one for one in windows["windows"] if "whole_planar" in one]
+
+
+def differences(windows):
+    return numpy.array([one["force_planar"] / one["whole_planar"] - 1 for one in compared(windows)])
+
+
+def ratio_since_entry(windows, whole):
+    """Mean over the windows of force / force of the whole pass there, by how far the tool has turned, with its
+    standard error."""
+    of_whole = dict(zip(whole["immersion"], planar(whole)))
+    found = {}
+    for one in compared(windows):
+        for angle, force in zip(one["bins"]["immersion"], planar(one["bins"])):
+            turned = round(angle - one["start"] - 0.5) + 0.5
+            if angle in of_whole and of_whole[angle] > 0:
+                found.setdefault(turned, []).append((force, of_whole[angle]))
+    rows = []
+    for turned in sorted(found):
+        pairs = numpy.array(found[turned])
+        if len(pairs) < 3:
+            continue
+        ratio = pairs[:, 0].mean() / pairs[:, 1].mean()
+        left = pairs[:, 0] - ratio * pairs[:, 1]
+        rows.append((turned, ratio, left.std(ddof=1) / math.sqrt(len(pairs)) / pairs[:, 1].mean()))
+    return numpy.array(rows)
+
+
+def draw(found):
+    figure, (curve, run_in) = plt.subplots(2, 1, figsize=(9, 8.5), height_ratios=(3, 2))
+    bins = found["whole"]["bins"]
+    width = int(found["windows"][0]["width"])
+    force, angle = planar(bins), numpy.array(bins["immersion"])
+    curve.plot(angle, force, color="0.75", linewidth=1, label="whole pass, means over 1°")
+    components = [smooth(numpy.array(bins[name]), width)[0] for name in ("force_x", "force_y")]
+    middles = smooth(angle, width)[0]
+    curve.plot(middles, numpy.hypot(*components), color="black", linewidth=2, label=f"whole pass, means over {width}°")
+    for windows, colour, marker in zip(found["windows"], COLOURS, MARKERS):
+        rows = windows["windows"]
+        curve.errorbar([one["immersion"] for one in rows], [one["force_planar"] for one in rows],
+                       yerr=[one["error_planar"] for one in rows], color=colour, marker=marker, linestyle="none",
+                       capsize=3, label=f"windows of {width}° after {windows['run_in']}° of run-in")
+        ratio = ratio_since_entry(windows, bins)
+        if len(ratio):
+            run_in.errorbar(ratio[:, 0], ratio[:, 1], yerr=ratio[:, 2], color=colour, marker=marker, capsize=3,
+                            label=f"windows with {windows['run_in']}° of run-in")
+    curve.set(xlabel="immersion / deg", ylabel="planar force / N", ylim=(0, None))
+    curve.legend(frameon=False)
+    run_in.axhline(1, color="black", linewidth=1)
+    run_in.set(xlabel="turned since the window's run began, just outside of the material / deg",
+               ylabel="force, window / whole pass\n(of the means over the windows)")
+    run_in.legend(frameon=False)
+    for axes in (curve, run_in):
+        axes.spines[["top", "right"]].set_visible(False)
+        axes.grid(color="0.92")
+    figure.tight_layout()
+    for suffix in ("png", "svg"):
+        figure.savefig(DOCS / f"windows.{suffix}", dpi=150, metadata={"Date": None} if suffix == "svg" else None)
+
+
+def percent(value):
+    return f"{100 * value:+.1f} %"
+
+
+def write_table(windows):
+    lines = ["| immersion / deg | windows / N | standard error / N | whole pass / N | difference | core-seconds |",
+             "|---:|---:|---:|---:|---:|---:|"]
+    for one in windows["windows"]:
+        whole = one.get("whole_planar")
+        lines.append(f"| {one['immersion']:g} | {one['force_planar']:.3f} | {one['error_planar']:.3f} | "
+                     + (f"{whole:.3f} | {percent(one['force_planar'] / whole - 1)}" if whole else "not reached | ")
+                     + f" | {one['core_seconds']:.0f} |")
+    return lines
+
+
+def summarize(windows, found):
+    whole, rows = found["whole"], compared(windows)
+    name = f"After {windows['run_in']} deg of run-in"
+    lines = []
+    if len(rows) > 2:
+        difference = differences(windows)
+        forces = [numpy.array([one[key] for one in rows]) for key in ("force_planar", "whole_planar", "error_planar")]
+        ratio = forces[0].sum() / forces[1].sum()
+        left = forces[0] - ratio * forces[1]
+        error = left.std(ddof=1) * math.sqrt(len(rows)) / forces[1].sum()
+        lines.append(f"- {name}: the mean force of the {len(rows)} windows differs from the whole pass's at the same "
+                     f"angles by {percent(ratio - 1)}, with a standard error of {100 * error:.1f} % from the scatter "
+                     f"of the windows. Single windows differ by {100 * math.sqrt((difference ** 2).mean()):.0f} % "
+                     f"(root mean square), the largest by {percent(difference[abs(difference).argmax()])}; their own "
+                     f"standard errors are {100 * (forces[2] / forces[0]).mean():.0f} % on the mean.")
+    cost = f"- {name}: the {len(windows['windows'])} windows took {windows['core_seconds']:.0f} core-seconds"
+    if "core_seconds" in whole:
+        cost += (f", the whole pass {whole['core_seconds']:.0f}: {100 * windows['core_seconds'] / whole['core_seconds']:.1f}"
+                 f" % of it. swarf predicted the whole pass at {windows['predicted_core_seconds']:.0f} from the windows")
+    else:
+        cost += f"; swarf predicts {windows['predicted_core_seconds']:.0f} for the whole pass"
+    return lines + [cost + "."]
+
+
+def between(found):
+    """How far two windows at the same place differ that begin at different places: both see the same pass."""
+    first, second = ({one["immersion"]: one["force_planar"] for one in windows["windows"]}
+                     for windows in found["windows"])
+    common = sorted(set(first) & set(second))
+    if len(common) < 3:
+        return []
+    ratios = numpy.array([second[angle] / first[angle] - 1 for angle in common])
+    return [f"- The two sets of windows differ by {100 * math.sqrt((ratios ** 2).mean()):.0f} % in single windows "
+            f"(root mean square) and by {percent(sum(second[a] for a in common) / sum(first[a] for a in common) - 1)} in "
+            f"the mean: what the place of the entry alone changes."]
+
+
+def write_page(found):
+    whole = found["whole"]
+    state = (f"{whole['particles']} particles, {whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds"
+             if "core_seconds" in whole else
+             f"run to {whole['end']:.1f} deg so far: windows beyond that have nothing to be compared with")
+    lines = ["# Windows against the whole pass", "",
+             "Made by `bench/windows/run`; every number is from `bench/windows/results.json`. The scene is "
+             f"`{found['deck']}`: a periodic slice, so without a helix, in cells of 4 um. The whole pass: {state}.", "",
+             "![Force over immersion, and what the run-in does](windows.png)", "",
+             "The lower picture compares force by force at the same angle, whatever the window's measurement is: where "
+             "it has settled, the run-in is long enough.", ""]
+    for windows in found["windows"]:
+        lines += summarize(windows, found)
+    lines += between(found) + [""]
+    for windows in found["windows"]:
+        lines += [f"## Windows of {windows['width']} deg after {windows['run_in']} deg of run-in", "",
+                  *write_table(windows), ""]
+    (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
+
+
+def main():
+    found = json.loads((HERE / "results.json").read_text())
+    draw(found)
+    write_page(found)
+
+
+if __name__ == "__main__":
+    main()

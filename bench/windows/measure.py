@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Runs a pass as a whole and as windows, and compares their forces: results.json beside this file.
+
+usage: measure.py PROGRAM [--no-run]     --no-run: measures what has run, also an unfinished whole pass
+"""
+import csv
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+DECK = ROOT / "inputs" / "micro_milling_pass.toml"
+RESULTS = ROOT / "results" / "windows"
+RUN_INS = (10, 5)  # deg; the first is long, so that it shows what a shorter one would have measured
+WIDTH = 6  # deg
+BIN = 1.0  # deg
+
+
+def write_deck(run_in):
+    deck = re.sub(r"\n\[windows\].*", "", DECK.read_text(), flags=re.S)
+    first_last_step = 'first = "10 deg"\nlast = "170 deg"\nstep = "20 deg"\n'
+    file = RESULTS / f"run_in_{run_in}.toml"
+    file.write_text(f'{deck}\n[windows]\n{first_last_step}width = "{WIDTH} deg"\nrun_in = "{run_in} deg"\n')
+    return file
+
+
+def run(program):
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    for run_in in RUN_INS:
+        subprocess.run([program, "run", write_deck(run_in), "--output", RESULTS / f"run_in_{run_in}", "--threads", "1",
+                        "--no-pictures", "--resume"], check=True)
+    whole = RESULTS / "whole"
+    if not is_complete(whole):
+        resume = ["--resume"] if (whole / "checkpoint.h5").exists() else []
+        subprocess.run([program, "run", DECK, "--whole", "--output", whole, "--threads", "1", "--no-pictures", *resume],
+                       check=True)
+
+
+def is_complete(folder):
+    summary = folder / "summary.json"
+    return summary.exists() and json.loads(summary.read_text())["ended"] == "complete"
+
+
+def read_samples(folder):
+    """(immersion in the middle of the sample, its duration, force x, force y)"""
+    with open(folder / "history.csv", newline="") as file:
+        rows = [[float(row[name]) for name in ("immersion [deg]", "time [s]", "force_x [N]", "force_y [N]")]
+                for row in csv.DictReader(file) if None not in row.values()]
+    return [(0.5 * (a[0] + b[0]), b[1] - a[1], b[2], b[3]) for a, b in zip(rows, rows[1:])]
+
+
+def mean(samples, low, high):
+    inside = [(dt, x, y) for angle, dt, x, y in samples if low <= angle < high]
+    time = sum(dt for dt, _, _ in inside)
+    return [sum(dt * force[k] for dt, *force in inside) / time for k in (0, 1)]
+
+
+def bins(samples):
+    low = math.ceil(samples[0][0] / BIN) * BIN
+    count = int((samples[-1][0] - low) / BIN)
+    middles = [low + (k + 0.5) * BIN for k in range(count)]
+    forces = [mean(samples, m - 0.5 * BIN, m + 0.5 * BIN) for m in middles]
+    return {"immersion": middles, "force_x": [round(f[0], 4) for f in forces],
+            "force_y": [round(f[1], 4) for f in forces]}
+
+
+def measure_windows(run_in, whole):
+    folder = RESULTS / f"run_in_{run_in}"
+    joined = json.loads((folder / "windows.json").read_text())
+    windows = []
+    for name, one in joined["windows"].items():
+        if one["ended"] != "complete":
+            continue
+        samples = read_samples(folder / name)
+        low, high = one["immersion"] - 0.5 * WIDTH, one["immersion"] + 0.5 * WIDTH
+        row = {"immersion": one["immersion"], "force_planar": one["force_planar"], "error_planar": one["error_planar"],
+               "core_seconds": one["core_seconds"], "start": samples[0][0], "bins": bins(samples)}
+        if whole[-1][0] >= high:
+            row["whole_planar"] = math.hypot(*mean(whole, low, high))
+        windows.append(row)
+    return {"run_in": run_in, "width": WIDTH, "core_seconds": joined["core_seconds"],
+            "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"], "windows": windows}
+
+
+def main():
+    if "--no-run" not in sys.argv:
+        run(pathlib.Path(sys.argv[1]).resolve())
+    whole = read_samples(RESULTS / "whole")
+    found = {"deck": str(DECK.relative_to(ROOT)), "whole": {"end": whole[-1][0], "bins": bins(whole)},
+             "windows": [measure_windows(run_in, whole) for run_in in RUN_INS]}
+    if is_complete(RESULTS / "whole"):
+        summary = json.loads((RESULTS / "whole" / "summary.json").read_text())
+        found["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
+                           "steps": summary["steps"]}
+    text = json.dumps(found, indent=1)
+    text = re.sub(r"\[\s+([^][{}]*?)\s+\]", lambda m: "[" + re.sub(r"\s+", " ", m[1]) + "]", text)
+    (HERE / "results.json").write_text(text + "\n")
+
+
+if __name__ == "__main__":
+    main()
