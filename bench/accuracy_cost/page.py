@@ -3,7 +3,7 @@ import draw
 import physics
 import physics_page
 import points
-from reference import ENERGY, QUANTITIES, SERIES
+from reference import CHEAPER, ENERGY, QUANTITIES, SERIES
 from scenes import SCENES
 
 HEAD = """# Accuracy against cost
@@ -178,10 +178,12 @@ def combination(rows):
     said = [f"\"{row['label']}\" ({_percent(row['energy_residual'])}"
             f"{', did not end' if row['status'] != 'complete' else ''})" for row in tried if row not in kept]
     best = max(kept, key=lambda row: row["label"].count(" + "))["label"] if kept else "none"
-    lost = f" These lose it, and their last setting was left out: {', '.join(said)}." if said else ""
-    return (f"Each of a group the cheapest that is no worse, within the scatter, and at least 10 % cheaper, the "
-            f"cheapest first, tried at dx = {tried[0]['spacing']:.3g} um. Together they keep their energy balance with: "
-            f"{best}.{lost}")
+    lost = (f" These lose it: {', '.join(said)}. Each setting alone keeps it: the step is the Courant number times "
+            "h / c', which counts neither the viscosities nor the hourglass stiffness; a large Courant number leaves "
+            "no room for more of them, nor for the stronger pairs of a smaller h / dx.") if said else ""
+    return (f"Of each group the cheapest setting that is no worse, within the scatter, and costs at most "
+            f"{100 * CHEAPER:.0f} % of the base, the cheapest first, tried at dx = {tried[0]['spacing']:.3g} um. "
+            f"Together these keep the energy balance: {best}.{lost}")
 
 
 def section(name, tried, rows, found):

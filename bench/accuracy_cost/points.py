@@ -67,6 +67,10 @@ THREE = "thickness"  # the group of these points
 MEAN_OF = {"spacing": "mean of three", "together": "together, mean of three"}  # groups that have such points
 
 
+# Each is stable alone. The step is courant h / c', which counts neither the viscosities nor the hourglass stiffness.
+AT_LIMIT = (("courant 0.7", "h/dx 1.0"), ("courant 0.7", "viscosity 1", "hourglass 1"))
+
+
 def thicknesses(point, group):
     """The two points that differ from this one in where the edge meets the rows."""
     def by(share):
@@ -159,6 +163,8 @@ def points_of(scene):
                          setter("particles", hourglass_stiffness=0.0), spacing) for spacing in NO_STIFFNESS]
     points += [Point(scene, group, label, change, full=sweep not in (ALWAYS, scene.name))
                for group, label, change, sweep in METHOD + work_of(scene) + own_work]
+    of_label = {point.label: point for point in points}
+    points += [trial(scene, [of_label[label] for label in labels]) for labels in AT_LIMIT]
     return points + [Point(scene, "precision", "float", build="float"),
                      Point(scene, "committed deck", "shipped deck", committed=True)]
 

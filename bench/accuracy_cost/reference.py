@@ -25,6 +25,7 @@ class Reference:
     slope: float = 0.0   # value(spacing) = value + slope * spacing^order
     series: tuple = ()   # spacing, value, standard error
     scatter: float = 0.0  # what the fit leaves of one point
+    excess: float = 1.0   # that over the errors of the points, or 1
 
     def error(self, value):
         return (value - self.value) / abs(self.value)
@@ -61,15 +62,16 @@ def extrapolate(spacing, values, error):
     limit, slope, order, squares = _best(spacing, values, error)
     fitted = limit + slope * spacing**order
     scatter = float(numpy.sqrt(((values - fitted) ** 2).sum() / (len(values) - 3)))
-    sigma = error * max(1.0, numpy.sqrt(squares / (len(values) - 3)))
+    excess = max(1.0, float(numpy.sqrt(squares / (len(values) - 3))))
+    sigma = error * excess
     random = numpy.random.default_rng(1)
     limits = [_best(spacing, random.normal(values, sigma), sigma)[0] for _ in range(SAMPLES)]
     seen = abs(slope) * (spacing[-1] ** order - spacing[0] ** order) > 2 * sigma.mean()
     if not seen or order in (ORDERS[0], ORDERS[-1]):
         finest = values[:3]
         spread = max(float(numpy.ptp(finest)), 2 * float(sigma[:3].mean()))
-        return Reference(float(finest.mean()), spread, None, 0.0, series, scatter)
-    return Reference(float(limit), 2 * float(numpy.std(limits)), float(order), float(slope), series, scatter)
+        return Reference(float(finest.mean()), spread, None, 0.0, series, scatter, excess)
+    return Reference(float(limit), 2 * float(numpy.std(limits)), float(order), float(slope), series, scatter, excess)
 
 
 def _mean(runs):
@@ -85,7 +87,8 @@ def _mean(runs):
 
 def combine(rows, base_spacing):
     """One row per setting: repeats of the base, whose step is a little shorter, become one row with it. Points of
-    three thicknesses become their mean, beside the point that is as the deck. And what one run scatters by."""
+    three thicknesses become their mean, beside the point that is as the deck. And what one run scatters by, over
+    the spacing."""
     same = [row for row in rows if row["status"] == "complete" and
             (row["group"] == "repeat" or row["group"] == "spacing" and row["spacing"] == base_spacing)]
     others = [dict(row, runs=1) for row in rows if row["group"] != "repeat" and row not in same]
@@ -104,9 +107,10 @@ def widen(rows, found, scatter):
                 continue
             own = row[quantity + "_own_error"] = row.get(quantity + "_error") or 0.0  # enough at the same rows
             if row["group"] in points.MEAN_OF.values():
-                row[quantity + "_error"] = max(own, reference.scatter)
+                row[quantity + "_error"] = own * reference.excess
             elif quantity in scatter or row["group"] != "spacing":
-                row[quantity + "_error"] = max(own, scatter.get(quantity, reference.scatter))
+                single = scatter[quantity] * row["spacing"] if quantity in scatter else reference.scatter
+                row[quantity + "_error"] = max(own, single)
     return rows
 
 
@@ -141,6 +145,7 @@ def best_settings(rows, base, references):
         if row["group"] in SETTINGS_BUT or row["status"] != "complete" or abs(row["energy_residual"]) > ENERGY:
             continue
         good = all(no_worse(row, quantity) for quantity in ("cutting_force", "feed_force", "chip_thickness"))
-        if good and row["core_seconds"] < min(CHEAPER * base["core_seconds"], groups.get(row["group"], base)["core_seconds"]):
+        best = groups.get(row["group"])
+        if good and row["core_seconds"] < (best["core_seconds"] if best else CHEAPER * base["core_seconds"]):
             groups[row["group"]] = row
     return sorted(groups.values(), key=lambda row: row["core_seconds"])

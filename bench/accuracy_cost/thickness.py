@@ -12,16 +12,17 @@ def threes(rows):
 
 
 def scatter_of(found, quantity):
-    """Standard deviation of a run about the mean of its three, without what is due to the thickness: that is taken
-    to be linear, and alike at all spacings. None if there are too few."""
+    """Standard deviation of a run about the mean of its three, over the spacing: a row more or less below the edge is
+    that much thickness. Without what is due to the thickness: that is taken to be linear, and alike at all spacings.
+    None if there are too few."""
     found = [three for three in found if three[0]["group"] == "spacing" and all(row.get(quantity) for row in three)]
     if len(found) < 2:
         return None
     offsets, values = [], []
     for three in found:
         mean = sum(row[quantity] for row in three) / 3
-        offsets += [row["uncut_thickness"] - three[0]["uncut_thickness"] for row in three]
-        values += [row[quantity] - mean for row in three]
+        offsets += [(row["uncut_thickness"] - three[0]["uncut_thickness"]) / row["spacing"] for row in three]
+        values += [(row[quantity] - mean) / row["spacing"] for row in three]
     slope = sum(x * y for x, y in zip(offsets, values)) / sum(x * x for x in offsets)
     squares = sum((y - slope * x) ** 2 for x, y in zip(offsets, values))
     return math.sqrt(squares / (2 * len(found) - 1))
@@ -35,12 +36,12 @@ def mean_of(three, scatter):
     for quantity, single in scatter.items():
         if all(one.get(quantity) for one in three):
             row[quantity] = sum(one[quantity] for one in three) / 3
-            row[quantity + "_error"] = single / math.sqrt(3)
+            row[quantity + "_error"] = single * row["spacing"] / math.sqrt(3)
     return row
 
 
 def means(rows, quantities):
-    """The mean rows, and {quantity: standard deviation of one run}."""
+    """The mean rows, and {quantity: standard deviation of one run over its spacing}."""
     found = threes(rows)
     scatter = {quantity: single for quantity in quantities if (single := scatter_of(found, quantity)) is not None}
     return [mean_of(three, scatter) for three in found] if scatter else [], scatter
