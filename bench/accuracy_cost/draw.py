@@ -15,6 +15,7 @@ import labels
 import page
 import physics
 import results
+from points import MEAN_OF
 from reference import ENERGY, combine, references, widen
 from scenes import SCENES
 
@@ -32,7 +33,8 @@ def error_of(row, quantity, found):
 
 
 def label_of(row):
-    return f"{row['label']} ({row['runs']} runs)" if row["runs"] > 1 else row["label"]
+    repeated = row["runs"] > 1 and row["group"] not in MEAN_OF.values()
+    return f"{row['label']} ({row['runs']} runs)" if repeated else row["label"]
 
 
 def level_of(row, found):
@@ -132,7 +134,9 @@ def draw(scene, rows, found):
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.7, 6.6), dpi=150, width_ratios=(2.6, 1),
                                          layout="constrained")
     complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] != "combination"]
+    note = "3 x: mean of three uncut thicknesses" if any(row["group"] in MEAN_OF.values() for row in rows) else ""
     figure.suptitle(f"Accuracy against cost: {scene.title}", fontsize=11)
+    left.set_title(note, fontsize=8)
     draw_convergence(right, found["cutting_force"])
     failed = [row["label"] for row in rows if row["status"] != "complete" and row["group"] != "combination"]
     if failed:

@@ -12,7 +12,7 @@ QUANTITIES = {"cutting_force": "F_c", "feed_force": "F_f", "chip_thickness": "ch
 ORDERS = numpy.linspace(0.5, 2.0, 31)  # the kernel sum is of second order at best
 SAMPLES = 500
 SERIES = ("spacing", "mean of three")  # groups that differ in the spacing only
-CHEAPER = 0.9  # of the base's cost; the processor time of one and the same run differs by 5 %
+CHEAPER = 0.85  # of the base's cost; the processor time of like runs differs by a tenth
 SETTINGS_BUT = ("stiffness 0 over dx", "combination", "together", "together, mean of three",
                 "committed deck", *SERIES)  # groups that are not of one setting
 
@@ -51,7 +51,8 @@ def _best(spacing, values, sigma):
 def extrapolate(spacing, values, error):
     """The limit at spacing 0. Its uncertainty is that of the limit when the values scatter by their own error, or
     by what the fit leaves of them if that is more. A series that is not finer than its scatter, or whose best
-    order lies at a bound, has no observed order: then the mean and the range of its finest three stand for it."""
+    order lies at a bound, has no observed order: then the mean of its finest three stands for it, with their range,
+    but no less than twice the standard error of that mean."""
     spacing, values, error = (numpy.array(one, float)[numpy.argsort(spacing)] for one in (spacing, values, error))
     series = (spacing, values, error)
     if len(values) < 4:
@@ -69,7 +70,7 @@ def extrapolate(spacing, values, error):
     seen = abs(slope) * (spacing[-1] ** order - spacing[0] ** order) > 2 * sigma.mean()
     if not seen or order in (ORDERS[0], ORDERS[-1]):
         finest = values[:3]
-        spread = max(float(numpy.ptp(finest)), 2 * float(sigma[:3].mean()))
+        spread = max(float(numpy.ptp(finest)), 2 * float(numpy.hypot.reduce(sigma[:3])) / len(finest))
         return Reference(float(finest.mean()), spread, None, 0.0, series, scatter, excess)
     return Reference(float(limit), 2 * float(numpy.std(limits)), float(order), float(slope), series, scatter, excess)
 
@@ -129,7 +130,7 @@ def references(rows):
 
 
 def best_settings(rows, base, references):
-    """Of each group the cheapest setting whose errors are, within twice the scatter, no worse than the base's, and
+    """Of each group the cheapest setting whose errors are, within the scatter of both, no worse than the base's, and
     which costs less by more than the same run's cost differs."""
     def no_worse(row, quantity):
         if quantity not in references or base.get(quantity) is None:
@@ -138,7 +139,7 @@ def best_settings(rows, base, references):
             return False
         scatter = numpy.hypot(row.get(quantity + "_error") or 0, base.get(quantity + "_error") or 0)
         value = references[quantity].value
-        return abs(row[quantity] - value) <= abs(base[quantity] - value) + 2 * scatter
+        return abs(row[quantity] - value) <= abs(base[quantity] - value) + scatter
 
     groups = {}
     for row in rows:
