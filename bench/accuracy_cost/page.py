@@ -1,9 +1,12 @@
 """docs/accuracy_cost.md: the pictures, what to take from them and the table, all from the results."""
+import math
+
 import draw
 import physics
 import physics_page
 import points
-from reference import CHEAPER, ENERGY, QUANTITIES, SERIES
+from points import MEAN_OF
+from reference import CHEAPER, ENERGY, QUANTITIES
 from scenes import SCENES
 
 HEAD = """# Accuracy against cost
@@ -23,12 +26,14 @@ thickness and at a third of a spacing more and less, so that the edge meets the 
 - Chip thickness: volume of the chip per width and length along the rake face, over half an uncut thickness h
   of that face, from where it is 1.1 h above the finished surface. Chip temperature: mean there.
 - Reference: the limit of spacing 0 with the observed order (Richardson), from the points that differ in spacing
-  only, means of three where they have run.
-  Its uncertainty is twice the standard deviation of that limit when the points scatter by their own error or by what
-  the fit leaves, whichever is more. It says nothing about settings that all points share.
+  only, means of three where they have run. Its uncertainty is twice the standard deviation of that limit when the
+  points scatter by their own error or by what the fit leaves, whichever is more. A series that changes but shows no
+  order lies between the limits of first and second order, each with its error; one that does not change by more than
+  its scatter is the mean of the finest three. It says nothing about settings that all points share.
 - Errors carry their sign: two that cancel are luck, not accuracy. "For 5 %" asks that error and standard error
   together are within 5 %. Points whose energy residual exceeds {energy:.0f} % of the external work are drawn hollow and
-  are neither advised nor on the front, which is of error and standard error together as well.
+  are neither advised nor on the front, which is of error and standard error together as well. For both, the error
+  of a point with three thicknesses is that of their mean: where one run meets the rows is luck.
 """
 
 
@@ -42,23 +47,27 @@ def _number(value, digits=3):
 
 def reference_lines(found):
     for quantity, reference in found.items():
-        order = (f"observed order {reference.order:.2g}" if reference.order
-                 else "no order observed: mean of the finest three")
         scale, unit = {"cutting_force": (1, "N"), "feed_force": (1, "N"), "chip_thickness": (1e6, "um")}.get(
             quantity, (1, "K"))
         yield (f"- {QUANTITIES[quantity]}: {scale * reference.value:.4g} +- {scale * reference.uncertainty:.2g} {unit} "
-               f"({100 * reference.relative:.1f} %), {order}")
+               f"({100 * reference.relative:.1f} %), {reference.said}")
 
 
 def qualifies(row, rows, found, limit):
-    """Error and scatter together within the limit; in the series of spacings every finer one too, or it is chance."""
+    """Error and scatter together within the limit, also of every finer one with the same settings, or it is chance.
+    One run alone may be, so settings that have run at one spacing only are not advised."""
     def within(one):
         scatter = one["cutting_force_error"] / abs(found["cutting_force"].value)
-        error = abs(draw.error_of(one, "cutting_force", found))
+        error = abs(draw.likely_error(one, found))
         return error + scatter <= limit and abs(one["energy_residual"]) <= ENERGY
-    if row["group"] not in (*SERIES, "together", "together, mean of three"):
-        return within(row)
-    return all(within(one) for one in rows if one["group"] == row["group"] and one["spacing"] <= row["spacing"])
+    series = {*MEAN_OF, *MEAN_OF.values()} - {points.STIFFNESS_0}
+    if row["group"] in series:
+        alike = [one for one in rows if one["group"] == row["group"]]
+    else:
+        alike = [one for one in rows if (one["changes"], one["build"]) == (row["changes"], row["build"])
+                 and one["group"] not in (*series, "committed deck")]
+    finer = [one for one in alike if one["spacing"] <= row["spacing"]]
+    return len({one["spacing"] for one in alike}) > 1 and all(within(one) for one in finer)
 
 
 def advice(rows, found):
@@ -99,6 +108,34 @@ def front(scene, rows, found):
                        f"{_percent(draw.error_of(row, 'cutting_force', found))})" for row in best)
     return (f"On the front: {listed}. The shipped settings ({base['label']}, {base['core_seconds']:.3g} core-seconds, "
             f"{_percent(draw.error_of(base, 'cutting_force', found))}) {said}.")
+
+
+def difference(row, base):
+    """Relative, with twice its standard error."""
+    return (row["cutting_force"] / base["cutting_force"] - 1,
+            2 * math.hypot(row["cutting_force_error"], base["cutting_force_error"]) / base["cutting_force"])
+
+
+def shipped(scene, rows, found):
+    """Whether what is shipped should move: only if a cheaper point is nearer to the reference by more than chance."""
+    base = base_of(scene, rows)
+    value, near = found["cutting_force"].value, []
+    for row in rows:
+        gained = (abs(draw.likely_error(base, found)) - abs(draw.likely_error(row, found))) * abs(value)
+        known = 2 * math.hypot(row["cutting_force_error"], base["cutting_force_error"])
+        kept = abs(row["energy_residual"]) <= ENERGY
+        if kept and row["core_seconds"] < CHEAPER * base["core_seconds"] and gained > known:
+            near.append(row["label"])
+    said = ("Cheaper than the shipped settings and nearer to the reference by more than twice the scatter: "
+            f"{', '.join(near)}." if near else "No point that is cheaper than the shipped settings is nearer to the "
+            "reference by more than twice the scatter, so they stay.")
+    whole = next((row for row in rows if row["group"] == "committed deck"), None)
+    if whole:
+        change, error = difference(whole, base)
+        said += (f" The shipped deck, whole, costs {whole['core_seconds'] / base['core_seconds']:.1f} times the base "
+                 f"because it cuts for longer, and its cutting force is {_percent(change)} (+- {100 * error:.1f}) "
+                 f"against the base.")
+    return said
 
 
 def table(rows, found):
@@ -144,6 +181,10 @@ def stiffness_over_spacing(rows):
     with_it = {row["spacing"]: row for row in rows if row["group"] == "spacing"}
     without = {row["spacing"]: row for row in rows
                if row["group"] == points.STIFFNESS_0 or row["label"] == "stiffness 0"}
+    means = [{row["spacing"]: row for row in rows if row["group"] == MEAN_OF[group]}
+             for group in ("spacing", points.STIFFNESS_0)]
+    for spacing in set(means[0]) & set(means[1]):
+        with_it[spacing], without[spacing] = means[0][spacing], means[1][spacing]
     both = sorted(set(with_it) & set(without), reverse=True)
     if len(both) < 2:
         return None
@@ -201,6 +242,7 @@ def section(name, tried, rows, found):
         yield advice(complete, found) + " " + front(scene, complete, found) + "\n"
     else:
         yield "The series of spacings is not whole, so there is no reference to conclude from.\n"
+    yield shipped(scene, complete, found) + "\n"
     if failed:
         yield f"{len(failed)} of {len(rows)} points did not end: " + ", ".join(row["label"] for row in failed) + ".\n"
     if combined := combination(rows):

@@ -64,7 +64,9 @@ def all_hexes(scene, strain):
 # it meets falls to a third, and the thickness is the deck's.
 THICKNESSES = {"h + dx/3": 1 / 3, "h - dx/3": -1 / 3}
 THREE = "thickness"  # the group of these points
-MEAN_OF = {"spacing": "mean of three", "together": "together, mean of three"}  # groups that have such points
+STIFFNESS_0 = "stiffness 0 over dx"
+MEAN_OF = {"spacing": "mean of three", "together": "together, mean of three",
+           STIFFNESS_0: "stiffness 0, mean of three"}  # groups that have such points
 
 
 # Each is stable alone. The step is courant h / c', which counts neither the viscosities nor the hourglass stiffness.
@@ -83,7 +85,7 @@ def thicknesses(point, group):
 
 
 # Without hourglass stiffness over the spacing: does the force that it adds vanish with the spacing?
-STIFFNESS_0, NO_STIFFNESS = "stiffness 0 over dx", [80 / n for n in (8, 10, 12, 20, 24)]
+NO_STIFFNESS = [80 / n for n in (8, 10, 12, 20, 24)]
 
 ALWAYS, ORTHOGONAL, FULL = "always", "orthogonal", "full"  # which sweep: also the short one, in which scene
 METHOD = [
@@ -159,8 +161,9 @@ def points_of(scene):
     points += [one for point in list(points) for one in thicknesses(point, THREE)]
     points += [Point(scene, "repeat", f"repeat {k}", shorter_step(k)) for k in (1, 2, 3)]
     if scene.name == "orthogonal":
-        points += [Point(scene, STIFFNESS_0, f"stiffness 0, dx {spacing:.3g}",
+        without = [Point(scene, STIFFNESS_0, f"stiffness 0, dx {spacing:.3g}",
                          setter("particles", hourglass_stiffness=0.0), spacing) for spacing in NO_STIFFNESS]
+        points += without + [one for point in without[:-1] for one in thicknesses(point, THREE)]
     points += [Point(scene, group, label, change, full=sweep not in (ALWAYS, scene.name))
                for group, label, change, sweep in METHOD + work_of(scene) + own_work]
     of_label = {point.label: point for point in points}

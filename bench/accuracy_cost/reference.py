@@ -13,8 +13,7 @@ ORDERS = numpy.linspace(0.5, 2.0, 31)  # the kernel sum is of second order at be
 SAMPLES = 500
 SERIES = ("spacing", "mean of three")  # groups that differ in the spacing only
 CHEAPER = 0.85  # of the base's cost; the processor time of like runs differs by a tenth
-SETTINGS_BUT = ("stiffness 0 over dx", "combination", "together", "together, mean of three",
-                "committed deck", *SERIES)  # groups that are not of one setting
+SETTINGS_BUT = ("combination", "committed deck", *points.MEAN_OF, *points.MEAN_OF.values())  # not of one setting
 
 
 @dataclass
@@ -22,8 +21,9 @@ class Reference:
     value: float
     uncertainty: float  # two standard deviations
     order: float | None  # None: the series shows none
-    slope: float = 0.0   # value(spacing) = value + slope * spacing^order
+    said: str            # where the value is from
     series: tuple = ()   # spacing, value, standard error
+    curves: tuple = ()   # limit, slope, order: value(spacing) = limit + slope * spacing^order
     scatter: float = 0.0  # what the fit leaves of one point
     excess: float = 1.0   # that over the errors of the points, or 1
 
@@ -35,44 +35,52 @@ class Reference:
         return self.uncertainty / abs(self.value)
 
 
-def _fits(spacing, values, sigma):
-    """For each order: limit, slope, sum of squares."""
-    weight = 1 / sigma
-    for order in ORDERS:
-        matrix = numpy.stack([numpy.ones_like(spacing), spacing**order], axis=1)
-        (limit, slope), *_ = numpy.linalg.lstsq(matrix * weight[:, None], values * weight, rcond=None)
-        yield limit, slope, order, (((matrix @ (limit, slope) - values) * weight) ** 2).sum()
+def _fit(spacing, values, sigma, order):
+    """Limit, slope, sum of squares, standard error of the limit; that is no less than what the fit leaves asks for."""
+    matrix = numpy.stack([numpy.ones_like(spacing), spacing**order], axis=1) / sigma[:, None]
+    covariance = numpy.linalg.inv(matrix.T @ matrix)
+    limit, slope = covariance @ matrix.T @ (values / sigma)
+    squares = ((matrix @ (limit, slope) - values / sigma) ** 2).sum()
+    return limit, slope, squares, numpy.sqrt(covariance[0, 0] * max(1.0, squares / (len(values) - 2)))
 
 
 def _best(spacing, values, sigma):
-    return min(_fits(spacing, values, sigma), key=lambda fit: fit[3])
+    """Limit, slope, order, sum of squares of the order that leaves least."""
+    fits = ((order, _fit(spacing, values, sigma, order)) for order in ORDERS)
+    return min(((limit, slope, order, squares) for order, (limit, slope, squares, _) in fits), key=lambda fit: fit[3])
 
 
 def extrapolate(spacing, values, error):
-    """The limit at spacing 0. Its uncertainty is that of the limit when the values scatter by their own error, or
-    by what the fit leaves of them if that is more. A series that is not finer than its scatter, or whose best
-    order lies at a bound, has no observed order: then the mean of its finest three stands for it, with their range,
-    but no less than twice the standard error of that mean."""
+    """The limit at spacing 0, with its uncertainty when the values scatter by their own error, or by what the fit
+    leaves of them if that is more. If the series changes by more than that, but its best order lies at a bound, the
+    order is not known: then the limits of first and of second order, each with its error, bound the value. If it does
+    not change by more: the mean of its finest three with their range, no less than twice the mean's standard error."""
     spacing, values, error = (numpy.array(one, float)[numpy.argsort(spacing)] for one in (spacing, values, error))
     series = (spacing, values, error)
     if len(values) < 4:
         finest = values[:3]
-        return Reference(finest[0], float(numpy.ptp(finest)) if len(finest) > 1 else abs(finest[0]), None, 0.0, series)
+        spread = float(numpy.ptp(finest)) if len(finest) > 1 else abs(finest[0])
+        return Reference(finest[0], spread, None, "the finest", series)
     if not error.all():  # not known of some: all alike
         error[:] = 1e-6 * abs(values).max()
     limit, slope, order, squares = _best(spacing, values, error)
-    fitted = limit + slope * spacing**order
-    scatter = float(numpy.sqrt(((values - fitted) ** 2).sum() / (len(values) - 3)))
     excess = max(1.0, float(numpy.sqrt(squares / (len(values) - 3))))
     sigma = error * excess
+    left = float(numpy.sqrt(((values - limit - slope * spacing**order) ** 2).sum() / (len(values) - 3)))
+    if abs(slope) * (spacing[-1] ** order - spacing[0] ** order) <= 2 * sigma.mean():
+        spread = max(float(numpy.ptp(values[:3])), 2 * float(numpy.hypot.reduce(sigma[:3])) / 3)
+        return Reference(float(values[:3].mean()), spread, None, "no order observed: mean of the finest three", series,
+                         (), left, excess)
+    if order in (ORDERS[0], ORDERS[-1]):
+        fits = {one: _fit(spacing, values, error, one) for one in (1, 2)}
+        low = min(fit[0] - 2 * fit[3] for fit in fits.values())
+        high = max(fit[0] + 2 * fit[3] for fit in fits.values())
+        return Reference((low + high) / 2, (high - low) / 2, None, "order not determined: between first and second",
+                         series, tuple((*fit[:2], one) for one, fit in fits.items()), left, excess)
     random = numpy.random.default_rng(1)
     limits = [_best(spacing, random.normal(values, sigma), sigma)[0] for _ in range(SAMPLES)]
-    seen = abs(slope) * (spacing[-1] ** order - spacing[0] ** order) > 2 * sigma.mean()
-    if not seen or order in (ORDERS[0], ORDERS[-1]):
-        finest = values[:3]
-        spread = max(float(numpy.ptp(finest)), 2 * float(numpy.hypot.reduce(sigma[:3])) / len(finest))
-        return Reference(float(finest.mean()), spread, None, 0.0, series, scatter, excess)
-    return Reference(float(limit), 2 * float(numpy.std(limits)), float(order), float(slope), series, scatter, excess)
+    return Reference(float(limit), 2 * float(numpy.std(limits)), float(order), f"observed order {order:.2g}", series,
+                     ((limit, slope, order),), left, excess)
 
 
 def _mean(runs):

@@ -71,8 +71,7 @@ class Sweep:
         """In place of what was known of the point, and of points that were of other decks or programs."""
         current = [one for point in EVERY if (one := self.row_of(point))]
         current += [one for one in self.rows if one["group"] in self.FOUND or "together" in one["label"]]
-        self.rows = [one for one in current if (one["scene"], one["label"]) != (row["scene"], row["label"])]
-        self.rows.append(row)
+        self.rows = list({(one["scene"], one["label"]): one for one in [*current, row]}.values())
         results.write(RESULTS, self.rows)
 
     def run_program(self, point, deck_file, folder, limit):
@@ -163,7 +162,8 @@ class Sweep:
                     continue
             chosen.append(setting)
         found = points.together(scene, chosen) if len(chosen) > 1 else []
-        decks_now = {self.hash_of(point) for point in tried + found}
+        fixed = [point for point in points.points_of(scene) if point.group == "combination"]
+        decks_now = {self.hash_of(point) for point in tried + found + fixed}
         self.rows = [row for row in self.rows if row["scene"] != scene.name or row["deck"] in decks_now
                      or not (row["group"] in self.FOUND or "together" in row["label"])]
         return found

@@ -37,6 +37,7 @@ def mean_of(three, scatter):
         if all(one.get(quantity) for one in three):
             row[quantity] = sum(one[quantity] for one in three) / 3
             row[quantity + "_error"] = single * row["spacing"] / math.sqrt(3)
+            three[0][quantity + "_of_three"] = row[quantity]
     return row
 
 
