@@ -16,19 +16,65 @@ struct KeyedRow {
 };
 using KeyedRows = View<KeyedRow*>;
 
+// Rows [0, listed) and [stored, total): all that a list may hold.
+struct SeenRows {
+  int listed, stored, total;
+  SWARF_FN int count() const { return listed + total - stored; }
+  SWARF_FN int operator()(int k) const { return k < listed ? k : k + stored - listed; }
+};
+inline SeenRows first_rows(int rows) { return {rows, rows, rows}; }
+
 CellGrid cell_grid(const VectorField& position, int rows, Real cell_size);
 
 // Ascending keys; equal keys in the order of their rows. key_of(position) on the device.
 template <class KeyOf>
-KeyedRows sort_rows(const VectorField& position, int rows, const KeyOf& key_of) {
-  const KeyedRows sorted(Kokkos::view_alloc(Kokkos::WithoutInitializing, "sorted_rows"), rows);
+KeyedRows sort_rows(const VectorField& position, const SeenRows& seen, const KeyOf& key_of) {
+  const KeyedRows sorted(Kokkos::view_alloc(Kokkos::WithoutInitializing, "sorted_rows"), seen.count());
   Kokkos::parallel_for(
-      "cell_key", Range(0, rows), KOKKOS_LAMBDA(int i) {
-        sorted(i) = {key_of(load_vector(position, i)), i};
+      "cell_key", Range(0, seen.count()), KOKKOS_LAMBDA(int k) {
+        sorted(k) = {key_of(load_vector(position, seen(k))), seen(k)};
       });
   Kokkos::sort(
       ExecSpace{}, sorted, KOKKOS_LAMBDA(const KeyedRow& a, const KeyedRow& b) { return a < b; });
   return sorted;
+}
+
+// Of x from the nearest of the points; 0 where there are none, so that all move.
+SWARF_FN Real distance_to(const VectorField& points, const Vector3& x) {
+  const int rows = int(points.extent(0));
+  Real least = rows > 0 ? Kokkos::Experimental::infinity_v<Real> : Real(0);
+  for (int k = 0; k < rows; ++k) {
+    const Vector3 d = x - load_vector(points, k);
+    least = Kokkos::min(least, dot(d, d));
+  }
+  return Kokkos::sqrt(least);
+}
+
+// Row i becomes what row from(i).row was.
+template <class T>
+void permute(const View<T*>& field, const KeyedRows& from) {
+  if (field.extent(0) == 0) return;
+  const int rows = int(from.extent(0));
+  const View<T*> copy(Kokkos::view_alloc(Kokkos::WithoutInitializing, "copy"), rows);
+  Kokkos::parallel_for(
+      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) { copy(i) = field(from(i).row); });
+  Kokkos::parallel_for(
+      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) { field(i) = copy(i); });
+}
+
+template <class T, std::size_t columns>
+void permute(const View<T* [columns]>& field, const KeyedRows& from) {
+  if (field.extent(0) == 0) return;
+  const int rows = int(from.extent(0));
+  const View<T* [columns]> copy(Kokkos::view_alloc(Kokkos::WithoutInitializing, "copy"), rows);
+  Kokkos::parallel_for(
+      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) {
+        for (std::size_t c = 0; c < columns; ++c) copy(i, c) = field(from(i).row, c);
+      });
+  Kokkos::parallel_for(
+      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) {
+        for (std::size_t c = 0; c < columns; ++c) field(i, c) = copy(i, c);
+      });
 }
 
 } // namespace swarf

@@ -129,12 +129,13 @@ struct RowKey {
 };
 
 Search make_search(const Particles& p, Real cutoff) {
-  Search s{cell_grid(p.position, p.total, cutoff), {}, {}, p.total, cutoff};
-  s.rows = sort_rows(p.position, p.total, RowKey{s.grid});
-  s.position = VectorField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "sorted_position"), p.total);
+  const SeenRows seen{p.listed, p.stored, p.total};
+  Search s{cell_grid(p.position, p.total, cutoff), {}, {}, seen.count(), cutoff};
+  s.rows = sort_rows(p.position, seen, RowKey{s.grid});
+  s.position = VectorField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "sorted_position"), s.total);
   const VectorField from = p.position;
   Kokkos::parallel_for(
-      "sorted_position", Range(0, p.total),
+      "sorted_position", Range(0, s.total),
       KOKKOS_LAMBDA(int r) { store_vector(s.position, r, load_vector(from, s.rows(r).row)); });
   return s;
 }

@@ -17,11 +17,10 @@ SWARF_FN Real host_temperature(const Tie& tie, const HexMesh& m, int k) {
 
 // Adds what has heated tied particle k itself since the last call.
 void take_own_heat(const Tie& tie, const Particles& p, const HexMesh& m, const MaterialTable& materials) {
-  const int first = p.count;
   const MaterialPoints points = p.points;
   Kokkos::parallel_for(
-      "take_own_heat", Range(0, tie.count), KOKKOS_LAMBDA(int k) {
-        const int i = first + k;
+      "take_own_heat", Range(p.count, p.count + p.tied), KOKKOS_LAMBDA(int i) {
+        const int k = p.identity(i) - p.whole;
         p.heat(i) += heat_capacity(materials(points.material(i)), points.mass(i)) *
                      (points.temperature(i) - host_temperature(tie, m, k));
       });
@@ -38,12 +37,11 @@ void gather_corners(const HexMesh& m) {
 }
 
 void gather_tied(const Tie& tie, const Particles& p, const HexMesh& m) {
-  const int first = p.count;
   Kokkos::parallel_for(
       "gather_tied_heat", Range(0, int(tie.row_node.extent(0))), KOKKOS_LAMBDA(int row) {
         Real sum = m.nodal_heat(tie.row_node(row));
         for (int e = tie.start(row); e < tie.start(row + 1); ++e)
-          sum += tie.shape(tie.entry(e) / 8, tie.entry(e) % 8) * p.heat(first + tie.entry(e) / 8);
+          sum += tie.shape(tie.entry(e) / 8, tie.entry(e) % 8) * p.heat(tie.row(tie.entry(e) / 8));
         m.nodal_heat(tie.row_node(row)) = sum;
       });
 }
@@ -62,15 +60,15 @@ void spread_temperature(const Tie& tie, const Particles& p, const HexMesh& m) {
       KOKKOS_LAMBDA(int a) { m.nodal_temperature(a) += m.nodal_heat(a) / m.heat_capacity(a); });
   Kokkos::parallel_for(
       "spread_temperature", Range(0, m.points.count), KOKKOS_LAMBDA(int e) {
+        if (m.active(e) == hex_asleep) return;
         Real sum = 0;
         for (int a = 0; a < 8; ++a) sum += m.nodal_temperature(m.connectivity(e, a));
         m.points.temperature(e) = Real(0.125) * sum;
       });
-  const int first = p.count;
   const ScalarField temperature = p.points.temperature;
   Kokkos::parallel_for(
-      "spread_to_tied", Range(0, tie.count),
-      KOKKOS_LAMBDA(int k) { temperature(first + k) = host_temperature(tie, m, k); });
+      "spread_to_tied", Range(p.count, p.count + p.tied),
+      KOKKOS_LAMBDA(int i) { temperature(i) = host_temperature(tie, m, p.identity(i) - p.whole); });
 }
 
 } // namespace swarf

@@ -7,7 +7,6 @@ namespace swarf {
 
 void gather_tie_forces(const Tie& t, const Particles& p, const HexMesh& hexes) {
   const Tie tie = t; // the kernel's own copies of the Views
-  const int first = p.count;
   const VectorField from = p.force, to = hexes.force;
   Kokkos::parallel_for(
       "gather_tie_forces", Range(0, int(tie.row_node.extent(0))), KOKKOS_LAMBDA(int row) {
@@ -15,7 +14,7 @@ void gather_tie_forces(const Tie& t, const Particles& p, const HexMesh& hexes) {
         Vector3 f = load_vector(to, node);
         for (int e = tie.start(row); e < tie.start(row + 1); ++e) {
           const int k = tie.entry(e) / 8, corner = tie.entry(e) % 8;
-          f = f + tie.shape(k, corner) * load_vector(from, first + k);
+          f = f + tie.shape(k, corner) * load_vector(from, tie.row(k));
         }
         store_vector(to, node, f);
       });

@@ -6,12 +6,12 @@ namespace swarf {
 // Heat that each hex brings to its corners in dt: conduction (conducted_heat in heat.hpp) of the share of its
 // volume that tied particles leave, and an eighth of what has heated the hex since the last call, m c (T_e -
 // mean of T_a). Reads nodal_temperature, gradient, volume, share, position, mass and temperature of the hex;
-// writes corner_heat (0 for deleted hexes).
+// writes corner_heat (0 for deleted and sleeping hexes).
 void hex_heat(const HexMesh& m, const MaterialTable& materials, Real dt) {
   Kokkos::parallel_for(
       "hex_heat", Range(0, m.points.count), KOKKOS_LAMBDA(const int e) {
         HexScalars T{}, heat{};
-        if (m.active(e)) {
+        if (m.active(e) == hex_active) {
           const Material& mat = materials(m.points.material(e));
           Real mean = 0;
           for (int a = 0; a < 8; ++a) {

@@ -38,11 +38,14 @@ void hex_velocity_gradient(const HexMesh& m, const Status& status) {
       "hex_velocity_gradient", Range(0, (hexes + width - 1) / width), KOKKOS_LAMBDA(const int block) {
         const int first = block * width;
         const Lanes lanes{first, Kokkos::min(width, hexes - first)};
+        bool any = false;
+        for (int lane = 0; lane < lanes.size; ++lane) any |= m.active(first + lane) == hex_active;
+        if (!any) return;
         const HexGradientOf<Pack> g = mean_gradient(load_corners(m.position, m.connectivity, lanes));
         const Tensor3Of<Pack> L = velocity_gradient(load_corners(m.velocity, m.connectivity, lanes), g.B);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int e = first + lane;
-          if (!m.active(e)) continue;
+          if (m.active(e) != hex_active) continue;
           const Real volume = lane_of(g.volume, lane);
           if (!(volume > Real(0))) report(status, Fault::inverted_hex, e);
           m.volume(e) = volume;

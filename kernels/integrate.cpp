@@ -8,6 +8,7 @@ namespace swarf {
 void kick(const Motion& m, const ConstraintTable& table, const Vector3& gravity, Real mass_factor, Real dt) {
   Kokkos::parallel_for(
       "kick", Range(0, m.count), KOKKOS_LAMBDA(int i) {
+        if (m.constraints(i) & held_bit) return;
         const Real inertia = mass_factor * m.mass(i);
         const Vector3 before = load_vector(m.velocity, i);
         const Vector3 weight = (inertia * dt) * gravity;
@@ -26,6 +27,7 @@ void kick(const Motion& m, const ConstraintTable& table, const Vector3& gravity,
 void drift(const Motion& m, Real dt) {
   Kokkos::parallel_for(
       "drift", Range(0, m.count), KOKKOS_LAMBDA(int i) {
+        if (m.constraints(i) & held_bit) return;
         store_vector(m.position, i, load_vector(m.position, i) + dt * load_vector(m.velocity, i));
       });
 }

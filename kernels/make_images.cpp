@@ -1,20 +1,21 @@
 // Images of the rows that lie within the cutoff of a periodic or mirror plane, so that pair sums need no
-// special cases: rows [count + tied, total) of the fields that a neighbour is read from. Made at every
+// special cases: rows [stored, total) of the fields that a neighbour is read from. Made at every
 // rebuild of the lists; update_images and update_image_state refresh their values in each step.
-#include "swarf/kernels.hpp"
+#include "cell_order.hpp"
 
 namespace swarf {
 namespace {
 
-// Fills image_source with the rows in [0, rows) near the plane, in ascending order; returns how many.
-int append_sources(const VectorField& position, int rows, const ImagePlane& plane, Real cutoff,
+// Fills image_source with the rows seen near the plane, in ascending order; returns how many.
+int append_sources(const VectorField& position, const SeenRows& seen, const ImagePlane& plane, Real cutoff,
                    IndexField& source, int first) {
+  const int rows = seen.count();
   const IndexField place("make_images_place", rows + 1);
   int found = 0;
   Kokkos::parallel_scan(
       "make_images", Range(0, rows),
       KOKKOS_LAMBDA(int i, int& sum, bool last) {
-        const Real distance = dot(plane.normal, load_vector(position, i)) - plane.offset;
+        const Real distance = dot(plane.normal, load_vector(position, seen(i))) - plane.offset;
         const int near = distance < cutoff ? 1 : 0;
         if (last) place(i) = near ? sum : -1;
         sum += near;
@@ -24,7 +25,7 @@ int append_sources(const VectorField& position, int rows, const ImagePlane& plan
   const IndexField to = source;
   Kokkos::parallel_for(
       "make_images", Range(0, rows), KOKKOS_LAMBDA(int i) {
-        if (place(i) >= 0) to(first + place(i)) = i;
+        if (place(i) >= 0) to(first + place(i)) = seen(i);
       });
   return found;
 }
@@ -57,15 +58,15 @@ void fill_images(const Particles& p, const Neighbors& n, const ImagePlane& plane
 } // namespace
 
 void make_images(Particles& p, Neighbors& n, const ImagePlanes& planes) {
-  n.image_first = p.count + p.tied;
+  n.image_first = p.stored;
   n.images = 0;
   n.planes = int(planes.size());
-  int rows = n.image_first;
+  SeenRows seen{p.listed, p.stored, p.stored};
   for (int plane = 0; plane < n.planes; ++plane) {
-    if (plane % 2 == 0) rows = n.image_first + n.images; // a pair sees the images of earlier pairs only
+    if (plane % 2 == 0) seen.total = n.image_first + n.images; // a pair sees the images of earlier pairs only
     n.image_start[plane] = n.images;
     if (planes[plane].active)
-      n.images += append_sources(p.position, rows, planes[plane], n.cutoff, n.image_source, n.images);
+      n.images += append_sources(p.position, seen, planes[plane], n.cutoff, n.image_source, n.images);
     n.image_start[plane + 1] = n.images;
     ensure_image_rows(p, n.image_first + n.images);
     fill_images(p, n, planes[plane], n.image_start[plane], n.image_start[plane + 1]);

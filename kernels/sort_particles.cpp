@@ -39,38 +39,12 @@ int bits_of(const VectorField& position, int rows, const CellGrid& grid) {
   return int(std::bit_width(last));
 }
 
-template <class T>
-void permute(const View<T*>& field, const KeyedRows& from) {
-  if (field.extent(0) == 0) return;
-  const int rows = int(from.extent(0));
-  const View<T*> copy(Kokkos::view_alloc(Kokkos::WithoutInitializing, "copy"), rows);
-  Kokkos::parallel_for(
-      "sort_particles", Range(0, rows), KOKKOS_LAMBDA(int i) { copy(i) = field(from(i).row); });
-  Kokkos::parallel_for(
-      "sort_particles", Range(0, rows), KOKKOS_LAMBDA(int i) { field(i) = copy(i); });
-}
-
-template <class T, std::size_t columns>
-void permute(const View<T* [columns]>& field, const KeyedRows& from) {
-  if (field.extent(0) == 0) return;
-  const int rows = int(from.extent(0));
-  const View<T* [columns]> copy(Kokkos::view_alloc(Kokkos::WithoutInitializing, "copy"), rows);
-  Kokkos::parallel_for(
-      "sort_particles", Range(0, rows), KOKKOS_LAMBDA(int i) {
-        for (std::size_t c = 0; c < columns; ++c) copy(i, c) = field(from(i).row, c);
-      });
-  Kokkos::parallel_for(
-      "sort_particles", Range(0, rows), KOKKOS_LAMBDA(int i) {
-        for (std::size_t c = 0; c < columns; ++c) field(i, c) = copy(i, c);
-      });
-}
-
 } // namespace
 
 void sort_particles(Particles& p, Real cell_size) {
   const CellGrid grid = cell_grid(p.position, p.count, cell_size);
   const KeyedRows sorted =
-      sort_rows(p.position, p.count, HilbertKey{grid, bits_of(p.position, p.count, grid)});
+      sort_rows(p.position, first_rows(p.count), HilbertKey{grid, bits_of(p.position, p.count, grid)});
   p.for_each_field([&](const char*, auto& field) { permute(field, sorted); });
 }
 

@@ -55,7 +55,7 @@ StableStep stable_step(const HexMesh& m, const MaterialTable& materials, Real ma
   Kokkos::parallel_reduce(
       "stable_step_hexes", Range(0, m.points.count),
       KOKKOS_LAMBDA(int e, MinStep::value_type& dt) {
-        if (!m.active(e)) return;
+        if (m.active(e) != hex_active) return;
         const Real own = characteristic_length(m, e) * Kokkos::sqrt(mass_factor) /
                          longitudinal_wave_speed(materials(material(e)));
         if (own < dt.val || (own == dt.val && e < dt.loc)) dt.val = own, dt.loc = e;
@@ -82,7 +82,7 @@ Real stable_heat_step(const HexMesh& m, const MaterialTable& materials) {
   Kokkos::parallel_reduce(
       "stable_heat_step_hexes", Range(0, m.points.count),
       KOKKOS_LAMBDA(int e, Real& dt) {
-        if (m.active(e))
+        if (m.active(e) == hex_active)
           dt = Kokkos::min(dt, conduction_step(materials(material(e)), characteristic_length(m, e)));
       },
       Kokkos::Min<Real>(least));

@@ -26,13 +26,13 @@ PointSums sum_particles(const Particles& p, Real mass_factor) {
     s.viscous += p.viscous_work(i);
     s.hourglass += p.hourglass_work(i);
     add_point(s, p.points, i);
-    if (i >= p.count) return; // a tied particle's mass is its hex's
+    if (i >= p.count && i < p.count + p.tied) return; // a tied particle's mass is its hex's
     add_motion(s, mass_factor * p.points.mass(i), load_vector(p.velocity, i));
     s.external += p.external_work(i);
     s.friction += p.friction_work(i);
     s.contact += p.contact_energy(i);
   };
-  return block_sum<PointSums>("sum_particles", p.count + p.tied, add);
+  return block_sum<PointSums>("sum_particles", p.stored, add);
 }
 
 PointSums sum_hexes(const HexMesh& m, Real mass_factor) {

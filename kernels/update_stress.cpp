@@ -9,9 +9,12 @@ namespace swarf {
 // (Hughes & Winget 1980; Johnson & Cook 1983, 1985; see stress_update.hpp).
 // Reads velocity_gradient, mass, material; reads and writes the state of MaterialPoints; adds to the works.
 // Faults: return_mapping, non_finite (also where the density is no longer positive).
-void update_stress(const MaterialPoints& p, const MaterialTable& materials, Real dt, const Status& status) {
+void update_stress(const MaterialPoints& p, const MaterialTable& materials, Real dt, const Status& status,
+                   const View<int*>& active) {
+  const bool all = active.extent(0) == 0;
   Kokkos::parallel_for(
       "update_stress", Range(0, p.count), KOKKOS_LAMBDA(const int i) {
+        if (!all && active(i) == hex_asleep) return;
         const MaterialState start{
             load_symmetric(p.stress, i), p.density(i),     p.equivalent_plastic_strain(i),
             p.plastic_strain_rate(i),    p.temperature(i), p.damage(i)};

@@ -24,10 +24,11 @@ class Findings {
   int warnings = 0;
 };
 
-double sum_of(const ScalarField& field, int rows) {
-  const auto mass = host_copy(field);
+double mass_of(const Scene& scene) {
+  const auto of_particles = host_copy(scene.particles.points.mass), of_nodes = host_copy(scene.hexes.mass);
   double sum = 0;
-  for (int i = 0; i < rows; ++i) sum += double(mass(i));
+  for (int i : particle_rows(scene.particles)) sum += double(of_particles(i));
+  for (int a = 0; a < scene.hexes.nodes; ++a) sum += double(of_nodes(a));
   return sum;
 }
 
@@ -36,7 +37,7 @@ double uncut_chip(const Deck& deck, const Scene& scene) {
   if (deck.tool->kind == "end_mill") return deck.tool->feed_per_tooth;
   const auto x = host_copy(scene.particles.position);
   double top = -1e300;
-  for (int i = 0; i < scene.particles.count; ++i) top = std::max(top, double(x(i, 1)));
+  for (int i : particle_rows(scene.particles)) top = std::max(top, double(x(i, 1)));
   return top + 0.5 * scene.spacing - deck.tool->position[1];
 }
 
@@ -85,12 +86,12 @@ int check_deck(const std::string& file) {
   const Scene& scene = simulation.scene();
   simulation.start();
   const double start_up = seconds();
-  found.line("particles", "{} (+ {} tied, {} images)", scene.particles.count, scene.particles.tied,
+  found.line("particles", "{} (+ {} tied, {} images)", scene.particles.whole, scene.tie.count,
              simulation.neighbors().images);
+  if (deck.sleep.distance)
+    found.line("awake at the start", "{} (+ {} tied)", scene.particles.count, scene.particles.tied);
   found.line("hexes", "{} ({} nodes)", scene.hexes.points.count, scene.hexes.nodes);
-  found.line("mass", "{:.6g} kg",
-             sum_of(scene.particles.points.mass, scene.particles.count) +
-                 sum_of(scene.hexes.mass, scene.hexes.nodes));
+  found.line("mass", "{:.6g} kg", mass_of(scene));
   found.line("time step", "{:.4g} s, limited by {}", simulation.dt(), simulation.limiter());
   const double steps = end_time_of(deck) / simulation.dt();
   found.line("steps", "{:.4g} for {:.4g} s", steps, end_time_of(deck));

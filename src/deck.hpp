@@ -104,6 +104,13 @@ struct HexesDeck {
   bool operator==(const HexesDeck&) const = default;
 };
 
+struct SleepDeck {
+  std::optional<double> distance; // m; not given: nothing sleeps
+  double ramp = 0.5;              // of the distance, where velocities are damped
+  double speed = 0.05;            // of the tool's, or of held faces: what is faster stays awake
+  bool operator==(const SleepDeck&) const = default;
+};
+
 struct RunDeck {
   std::optional<double> end_time;      // s
   std::optional<double> end_immersion; // rad, instead of end_time
@@ -152,6 +159,7 @@ struct Deck {
   ContactDeck contact;
   ParticlesDeck particles;
   HexesDeck hexes;
+  SleepDeck sleep;
   RunDeck run;
   OutputDeck output;
   std::optional<WindowsDeck> windows;

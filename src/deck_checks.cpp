@@ -169,6 +169,11 @@ void check_kernel_frame(const Deck& deck, const toml::table& root, DeckReport& r
   refuse(p.artificial_stress > 0, "artificial_stress", "There is no tensile instability to take away: use 0");
   refuse(p.pressure_diffusion > 0, "pressure_diffusion", "It acts between present neighbours: use 0");
   refuse(p.xsph > 0, "xsph", "It acts between present neighbours: use 0");
+  if (deck.sleep.distance)
+    report.add(
+        find_place(table, "kernel_frame"), "particles.kernel_frame",
+        "\"initial\" does not go with sleep.distance: neighbours stay what they were at the start. Leave it "
+        "out, or use \"current\"");
   if (conducts_heat(deck))
     report.add(find_place(table, "kernel_frame"), "particles.kernel_frame",
                "\"initial\" conducts no heat: give no material a conductivity, or use \"current\"");

@@ -54,6 +54,7 @@ const Keys<ToolDeck>& tool_keys();
 const Keys<ContactDeck>& contact_keys();
 const Keys<ParticlesDeck>& particles_keys();
 const Keys<HexesDeck>& hexes_keys();
+const Keys<SleepDeck>& sleep_keys();
 const Keys<RunDeck>& run_keys();
 const Keys<OutputDeck>& output_keys();
 const Keys<LabelledForce>& published_keys();

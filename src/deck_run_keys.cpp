@@ -77,6 +77,21 @@ const Keys<HexesDeck>& hexes_keys() {
   return keys;
 }
 
+const Keys<SleepDeck>& sleep_keys() {
+  using S = SleepDeck;
+  static const Keys<S> keys = {
+      {"distance", &S::distance, D::length, positive, optional, always,
+       "points farther than this from the action are held, and sleep; not given: all points move"},
+      {"ramp", &S::ramp, D::none, Range{0, 1, true, true}, "0.5", always,
+       "last part of the distance, over which velocities are damped so that waves do not come back"},
+      {"speed", &S::speed, D::none, Range{0, 1, true, false}, "0.05", always,
+       "the action is what the tool comes near to, and what moves faster than this share of the tool's speed "
+       "(or "
+       "of the fastest held face)"},
+  };
+  return keys;
+}
+
 const Keys<RunDeck>& run_keys() {
   using R = RunDeck;
   static const Keys<R> keys = {

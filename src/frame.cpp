@@ -1,18 +1,28 @@
 #include "src/frame.hpp"
+#include "src/scene.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace swarf {
 namespace {
 
+using Rows = std::vector<int>;
+
+Rows all_rows(int count) {
+  Rows rows(std::size_t(count), 0);
+  std::iota(rows.begin(), rows.end(), 0);
+  return rows;
+}
+
 template <class To, class Field>
-std::vector<To> copy_rows(const Field& field, int rows) {
+std::vector<To> copy_rows(const Field& field, const Rows& rows) {
   constexpr int columns = Field::rank == 1 ? 1 : int(Field::static_extent(1));
-  if (rows == 0 || field.extent(0) < std::size_t(rows)) return {};
+  if (rows.empty() || field.extent(0) < rows.size()) return {};
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, field);
   std::vector<To> out;
-  out.reserve(std::size_t(rows) * columns);
-  for (int i = 0; i < rows; ++i) {
+  out.reserve(rows.size() * columns);
+  for (int i : rows) {
     if constexpr (Field::rank == 1)
       out.push_back(To(host(i)));
     else
@@ -21,15 +31,15 @@ std::vector<To> copy_rows(const Field& field, int rows) {
   return out;
 }
 
-PointFields copy_state(const MaterialPoints& points, const ScalarField& volume, int count) {
+PointFields copy_state(const MaterialPoints& points, const ScalarField& volume, const Rows& rows) {
   PointFields out;
-  out.temperature = copy_rows<float>(points.temperature, count);
-  out.equivalent_plastic_strain = copy_rows<float>(points.equivalent_plastic_strain, count);
-  out.plastic_strain_rate = copy_rows<float>(points.plastic_strain_rate, count);
-  out.damage = copy_rows<float>(points.damage, count);
-  out.volume = copy_rows<float>(volume, count);
-  out.material = copy_rows<int>(points.material, count);
-  const auto stress = copy_rows<Real>(points.stress, count);
+  out.temperature = copy_rows<float>(points.temperature, rows);
+  out.equivalent_plastic_strain = copy_rows<float>(points.equivalent_plastic_strain, rows);
+  out.plastic_strain_rate = copy_rows<float>(points.plastic_strain_rate, rows);
+  out.damage = copy_rows<float>(points.damage, rows);
+  out.volume = copy_rows<float>(volume, rows);
+  out.material = copy_rows<int>(points.material, rows);
+  const auto stress = copy_rows<Real>(points.stress, rows);
   out.stress.assign(stress.begin(), stress.end());
   for (std::size_t i = 0; i + 6 <= stress.size(); i += 6) {
     const Symmetric3 s{stress[i], stress[i + 1], stress[i + 2], stress[i + 3], stress[i + 4], stress[i + 5]};
@@ -59,18 +69,19 @@ std::vector<float> place_tool(const Tool& tool, const ToolPose& pose) {
 FrameData copy_frame(const Particles& particles, const HexMesh& hexes, const Tool& tool,
                      const ToolPose& pose) {
   FrameData frame;
-  const int count = particles.count;
-  frame.particles.position = copy_rows<float>(particles.position, count);
-  frame.particles.velocity = copy_rows<float>(particles.velocity, count);
-  frame.particles.contact_force = copy_rows<float>(particles.contact_force, count);
-  frame.particles.body = copy_rows<int>(particles.body, count);
-  frame.particles.identity = copy_rows<int>(particles.identity, count);
-  frame.particles.state = copy_state(particles.points, particles.volume, count);
-  frame.hexes.position = copy_rows<float>(hexes.position, hexes.nodes);
-  frame.hexes.velocity = copy_rows<float>(hexes.velocity, hexes.nodes);
-  frame.hexes.connectivity = copy_rows<int>(hexes.connectivity, hexes.points.count);
-  frame.hexes.active = copy_rows<int>(hexes.active, hexes.points.count);
-  frame.hexes.state = copy_state(hexes.points, hexes.volume, hexes.points.count);
+  const Rows rows = particle_rows(particles), nodes = all_rows(hexes.nodes),
+             cells = all_rows(hexes.points.count);
+  frame.particles.position = copy_rows<float>(particles.position, rows);
+  frame.particles.velocity = copy_rows<float>(particles.velocity, rows);
+  frame.particles.contact_force = copy_rows<float>(particles.contact_force, rows);
+  frame.particles.body = copy_rows<int>(particles.body, rows);
+  frame.particles.identity = copy_rows<int>(particles.identity, rows);
+  frame.particles.state = copy_state(particles.points, particles.volume, rows);
+  frame.hexes.position = copy_rows<float>(hexes.position, nodes);
+  frame.hexes.velocity = copy_rows<float>(hexes.velocity, nodes);
+  frame.hexes.connectivity = copy_rows<int>(hexes.connectivity, cells);
+  frame.hexes.active = copy_rows<int>(hexes.active, cells);
+  frame.hexes.state = copy_state(hexes.points, hexes.volume, cells);
   frame.tool = place_tool(tool, pose);
   return frame;
 }

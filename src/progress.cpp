@@ -12,13 +12,12 @@ Progress::Progress(const Deck& deck, double end_time)
 double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void Progress::show(const Simulation& s, const HistorySample& h) {
-  if (start_time < 0)
-    start_time = s.time(), start_step = s.step_count(), initial_kinetic = s.initial_kinetic();
+  if (start_time < 0) start_time = s.time(), initial_kinetic = s.initial_kinetic();
   const auto current = Clock::now();
   if (current - last < std::chrono::seconds(terminal ? 1 : 10)) return;
   last = current;
   const double wall = seconds();
-  const double rate = double(s.scene().particles.count) * double(s.step_count() - start_step) / wall;
+  const double rate = s.particle_steps() / wall;
   const double done = s.time() - start_time;
   const double left = done > 0 ? wall * (end - s.time()) / done : 0;
   const std::string angle = spindle ? fmt::format(" {:6.2f} deg", h.immersion) : "";

@@ -19,7 +19,6 @@ class Progress {
   bool spindle = false, terminal = false;
   Clock::time_point start, last;
   double start_time = -1, initial_kinetic = 0;
-  long start_step = 0;
 };
 
 } // namespace swarf

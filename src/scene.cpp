@@ -80,6 +80,17 @@ void set_stress_shares(HexMesh& mesh, const std::vector<double>& share) {
   Kokkos::deep_copy(mesh.points.mass, mass);
 }
 
+double largest_diagonal(const std::vector<FilledBody>& bodies) {
+  double largest = 0;
+  for (const FilledBody& b : bodies)
+    for (const auto& hex : b.hexes.hex)
+      for (const auto& [from, to] : {std::pair(0, 6), std::pair(1, 7), std::pair(2, 4), std::pair(3, 5)})
+        largest = std::max(largest, (b.hexes.node[std::size_t(hex[std::size_t(to)])] -
+                                     b.hexes.node[std::size_t(hex[std::size_t(from)])])
+                                        .norm());
+  return largest;
+}
+
 std::vector<TiedPoint> tie_bodies(const Deck& deck, const std::vector<FilledBody>& bodies, double reach) {
   std::vector<TiedPoint> tied;
   for (int row = 0; row < int(bodies.size()); ++row) {
@@ -119,6 +130,8 @@ Scene build_scene(const Deck& deck) {
     if (b.has_particles() && (scene.spacing == 0 || b.points.spacing < scene.spacing))
       scene.spacing = b.points.spacing;
 
+  scene.hex_diagonal = largest_diagonal(bodies);
+  check_sleep(deck, scene);
   const Faces faces = collect_faces(deck, bodies, scene.cutoff);
   const std::vector<TiedPoint> tied = tie_bodies(deck, bodies, scene.cutoff);
   scene.materials = upload<MaterialTable>("materials", int(deck.materials.size()),
@@ -129,6 +142,8 @@ Scene build_scene(const Deck& deck) {
   for (const FilledBody& b : bodies) hex_body.insert(hex_body.end(), b.hexes.hex.size(), b.row);
   scene.hex_body = upload("hex_body", hex_body);
   scene.tie = make_tie(tied, scene.hexes);
+  scene.tie.row = upload<IndexField>("tie.row", scene.tie.count,
+                                     [&](auto& f, int k) { f(k) = scene.particles.count + k; });
   set_stress_shares(scene.hexes, stress_shares(bodies, scene.cutoff));
   scene.image_planes = faces.planes;
   scene.node_transforms = upload<TransformTable>("node_transforms", int(faces.transforms.size()),

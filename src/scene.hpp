@@ -21,10 +21,14 @@ struct Scene {
   ConstraintTable constraints;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
   Tool tool;
-  double spacing = 0; // of the finest particles, m; 0 without particles
-  double cutoff = 0;  // largest support 2 h + skin, m
+  double spacing = 0;      // of the finest particles, m; 0 without particles
+  double cutoff = 0;       // largest support 2 h + skin, m
+  double hex_diagonal = 0; // of the largest hex, m; 0 without hexes
   double skin = 0;
 };
+
+// Rows of the particles, awake and asleep, without the tied ones.
+std::vector<int> particle_rows(const Particles& particles);
 
 // Throws DeckError: zero particles, bodies that overlap, a tool inside the workpiece at the start, a periodic
 // slice thinner than the support, a tie that touches no hex, ...

@@ -41,12 +41,12 @@ Centres find_centres(const FilledBody& body) {
   return c;
 }
 
-// Line of [tool] in the deck's file, which a Deck does not keep; 0 without the file.
-int find_tool_line(const std::string& file) {
+// Line of a section in the deck's file, which a Deck does not keep; 0 without the file.
+int find_line(const std::string& file, const std::string& section) {
   std::ifstream deck(file);
   std::string text;
   for (int line = 1; std::getline(deck, text); ++line)
-    if (text.find_first_not_of(" \t") == text.find("[tool]") && text.find("[tool]") != std::string::npos)
+    if (text.find_first_not_of(" \t") == text.find(section) && text.find(section) != std::string::npos)
       return line;
   return 0;
 }
@@ -76,6 +76,16 @@ void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies) {
   }
 }
 
+void check_sleep(const Deck& deck, const Scene& scene) {
+  if (!deck.sleep.distance) return;
+  const double least = 2 * (scene.cutoff + scene.hex_diagonal);
+  if (*deck.sleep.distance >= least) return;
+  throw DeckError(
+      fmt::format("{}:{}: sleep.distance: expected at least {:.3g} um, twice the reach of a kernel and a "
+                  "hex, got {:.3g} um. Make it larger, or leave it out so that nothing sleeps.",
+                  deck.file, find_line(deck.file, "[sleep]"), 1e6 * least, 1e6 * *deck.sleep.distance));
+}
+
 void check_tool_outside(const Deck& deck, const Scene& scene) {
   if (!deck.tool) return;
   const Particles& p = scene.particles;
@@ -91,7 +101,7 @@ void check_tool_outside(const Deck& deck, const Scene& scene) {
   throw DeckError(
       fmt::format("{}:{}: tool.position: {} of {} particles and {} nodes lie inside the tool at the start: "
                   "expected none. Move the tool or the bodies{}.",
-                  deck.file, find_tool_line(deck.file), particles, p.count, nodes,
+                  deck.file, find_line(deck.file, "[tool]"), particles, p.count, nodes,
                   deck.tool->kind == "end_mill" ? ", or choose a start_angle outside of the material" : ""));
 }
 

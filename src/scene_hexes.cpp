@@ -118,6 +118,7 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
   allocate("contact_force", m.contact_force, m.nodes), allocate("friction_work", m.friction_work, m.nodes);
   allocate("external_work", m.external_work, m.nodes), allocate("contact_energy", m.contact_energy, m.nodes);
   allocate("contact_gap", m.contact_gap, m.nodes);
+  if (deck.sleep.distance) allocate("damping", m.damping, m.nodes);
 
   if (conducts_heat(deck)) {
     allocate("corner_heat", m.corner_heat, n), allocate("nodal_heat", m.nodal_heat, m.nodes);

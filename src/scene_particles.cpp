@@ -33,6 +33,14 @@ std::vector<Row> list_rows(const std::vector<FilledBody>& bodies, const std::vec
 
 } // namespace
 
+std::vector<int> particle_rows(const Particles& p) {
+  const auto identity = host_copy(p.identity);
+  std::vector<int> rows;
+  for (int i = 0; i < p.stored; ++i)
+    if (identity(i) < p.whole) rows.push_back(i);
+  return rows;
+}
+
 Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies,
                          const std::vector<TiedPoint>& tied, const Faces& faces) {
   const std::vector<Row> rows = list_rows(bodies, tied);
@@ -41,7 +49,8 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   p.tied = int(tied.size());
   p.count = n - p.tied;
   p.points.count = n;
-  p.total = n;
+  p.listed = p.stored = p.total = n;
+  p.whole = p.count;
   // Every field zero at first; what is left so is derived or history.
   const auto allocate = [&](const std::string& name, auto& field) {
     field = std::decay_t<decltype(field)>(name, std::size_t(n));
@@ -49,6 +58,7 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   p.for_each_field([&](const std::string& name, auto& field) {
     const bool stiff = deck.particles.hourglass_stiffness > 0 && deck.particles.kernel_frame != "initial";
     if ((name == "hourglass_displacement" || name == "hourglass_rate") && !stiff) return;
+    if (name == "damping" && !deck.sleep.distance) return;
     if (name == "reference_summation" && deck.particles.density != "summation") return;
     allocate(name, field);
   });

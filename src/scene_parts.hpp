@@ -19,6 +19,9 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
 // Throws DeckError: a cell of one body lies in another body, by more than 5 % of a cell.
 void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies);
 
+// Throws DeckError: sleep begins where kernels of points at the action still reach.
+void check_sleep(const Deck& deck, const Scene& scene);
+
 // Throws DeckError: particles or nodes lie in the tool, by more than 5 % of the spacing.
 void check_tool_outside(const Deck& deck, const Scene& scene);
 

@@ -3,17 +3,13 @@
 #include <fmt/format.h>
 
 namespace swarf {
-namespace {
 
-// Made anew in each step: fields move when a rebuild needs room for more images.
 Motion motion_of(const Particles& p) {
   return {p.count, p.position, p.velocity, p.force, p.points.mass, p.external_work, p.constraints};
 }
 Motion motion_of(const HexMesh& m) {
   return {m.nodes, m.position, m.velocity, m.force, m.mass, m.external_work, m.constraints};
 }
-
-} // namespace
 
 ContactPoints contact_points_of(const Particles& p) {
   return {p.count,          p.position,      p.velocity,       p.points.mass,
@@ -32,6 +28,7 @@ void Simulation::step() {
   kick_half();
   move();
   timer.mark("integrate");
+  if (rest_due) rest();
   if (lists_due) rebuild_lists();
   follow_hexes_and_images();
   update_rates_and_stresses();
@@ -40,8 +37,9 @@ void Simulation::step() {
   press_tool();
   if (conducts) conduct();
   kick_half();
+  if (deck.sleep.distance) fade_waves();
   timer.mark("integrate");
-  ++steps;
+  ++steps, moved_particles += model.particles.count;
 }
 
 void Simulation::kick_half() {
@@ -92,7 +90,7 @@ void Simulation::update_rates_and_stresses() {
   timer.mark("hexes");
   update_stress(model.particles.points, model.materials, dt, status);
   if (deck.particles.density == "summation") sum_density(model.particles, lists, model.materials);
-  update_stress(model.hexes.points, model.materials, dt, hex_status);
+  update_stress(model.hexes.points, model.materials, dt, hex_status, model.hexes.active);
   delete_hexes(model.hexes, hex_method);
   timer.mark("stress");
 }

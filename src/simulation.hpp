@@ -41,6 +41,9 @@ class Simulation {
   // Particles whose centre is deeper in the tool than a quarter of the spacing: none, if the contact holds.
   int leaked_particles() const;
   double initial_kinetic() const { return initial_energy; } // J
+  double particle_steps() const {
+    return moved_particles;
+  } // of this run: awake particles, summed over the steps
   long rebuilds() const { return rebuild_count; }
   const std::string& limiter() const { return step_limiter; }
   const Scene& scene() const { return model; }
@@ -58,6 +61,11 @@ class Simulation {
   void compute_forces();
   void press_tool();
   void conduct();
+  Sleep sleep_of() const;
+  void rest(); // decides what sleeps
+  void fall_asleep();
+  void plan_rest();
+  void fade_waves(); // where sleep begins
   StableStep limit_step();
   void check_status();                           // throws SimulationFault
   void check_energy(const HistorySample&) const; // throws SimulationFault
@@ -85,7 +93,9 @@ class Simulation {
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;
   PointSums of_particles, of_hexes; // at the last check()
-  bool lists_due = false;
+  bool lists_due = false, rest_due = false;
+  double rested_at = 0; // s
+  double moved_particles = 0;
   double initial_energy = 0, driving_speed = 0;
   double elastic_scale = 0; // J
   double tool_work = 0;
@@ -95,7 +105,10 @@ class Simulation {
 double elastic_scale_of(const MaterialPoints&,
                         const MaterialTable&); // J: mass times square of the wave speed
 unsigned long long value_of(const Status&);    // on the host
-// Views of the fields that the tool touches. Made anew in each step: fields move when images need room.
+// Views of the fields that Newton's law moves, and that the tool touches. Made anew in each step: fields move
+// when images need room.
+Motion motion_of(const Particles&);
+Motion motion_of(const HexMesh&);
 ContactPoints contact_points_of(const Particles&);
 ContactPoints contact_points_of(const HexMesh&);
 

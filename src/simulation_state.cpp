@@ -87,10 +87,21 @@ void Simulation::start() {
   follow_hexes_and_images();
   update_rates_and_stresses();
   compute_forces();
+  if (deck.sleep.distance) fall_asleep();
   steps = steps_at_sample = 0;
   check();
   contact_law.reference_step = Real(step_size); // the penalty stays as it is when the step changes
   initial_energy = double(of_particles.kinetic) + of_hexes.kinetic;
+}
+
+// What sleeps shows its neighbours what the forces have just prepared.
+void Simulation::fall_asleep() {
+  if (conducts) conduct_heat(model.particles, lists, model.image_planes, model.materials, 0);
+  rest();
+  rebuild_lists();
+  follow_hexes_and_images();
+  update_rates_and_stresses();
+  compute_forces();
 }
 
 StableStep Simulation::limit_step() {
@@ -126,6 +137,7 @@ void Simulation::check() {
   if (lists_age && reach * interval > 0.5 * whole) interval = std::max(1L, long(0.5 * whole / reach));
   lists_due = lists_age && room < reach * double(interval);
   next_check = steps + interval;
+  plan_rest();
   timer.mark("checks");
 }
 
@@ -173,7 +185,12 @@ int Simulation::leaked_particles() const {
 void Simulation::write_state(CheckpointWriter& out) const {
   Particles p = model.particles; // Views: shallow
   HexMesh m = model.hexes;
-  const int rows = p.count + p.tied;
+  const int rows = p.stored;
+  out.put("awake", p.count), out.put("awake_tied", p.tied), out.put("listed", p.listed);
+  out.put("rested_at", rested_at), out.put("rest_due", int(rest_due));
+  if (deck.sleep.distance)
+    p.for_each_pair_field(
+        [&](const std::string& name, auto& field) { out.put("particles/" + name, first_rows(field, rows)); });
   p.for_each_field(
       [&](const std::string& name, auto& field) { out.put("particles/" + name, first_rows(field, rows)); });
   m.for_each_field([&](const std::string& name, auto& field) { out.put("hexes/" + name, field); });
@@ -198,6 +215,14 @@ void Simulation::read_state(const CheckpointReader& in) {
     in.get(name, stored);
     if (stored.extent(0) > 0) Kokkos::deep_copy(field, stored);
   };
+  in.get("awake", p.count), in.get("awake_tied", p.tied), in.get("listed", p.listed);
+  p.points.count = p.count + p.tied;
+  in.get("rested_at", rested_at);
+  int rests = 0;
+  in.get("rest_due", rests);
+  rest_due = rests != 0;
+  if (deck.sleep.distance)
+    p.for_each_pair_field([&](const std::string& name, auto& field) { read("particles/" + name, field); });
   // The lists are made again from the positions at which they were made, so that every sum keeps its order.
   p.for_each_field([&](const std::string& name, auto& field) { read("particles/" + name, field); });
   model.hexes.for_each_field([&](const std::string& name, auto& field) { read("hexes/" + name, field); });
@@ -208,7 +233,8 @@ void Simulation::read_state(const CheckpointReader& in) {
   find_neighbors(lists, p);
   VectorField current;
   in.get("particles/position", current);
-  const auto rows = std::make_pair(0, p.count + p.tied);
+  find_tied_rows(model.tie, p);
+  const auto rows = std::make_pair(0, p.stored);
   Kokkos::deep_copy(Kokkos::subview(p.position, rows, Kokkos::ALL), current);
 
   std::vector<Real> values;

@@ -57,7 +57,7 @@ Json shapes_of(const Deck& deck, const Scene& scene) {
   const auto x = host_copy(scene.particles.position);
   const auto gap = host_copy(scene.particles.contact_gap);
   const auto body = host_copy(scene.particles.body);
-  for (int i = 0; i < scene.particles.count; ++i) grow(body(i), load_vector(x, i), gap(i));
+  for (int i : particle_rows(scene.particles)) grow(body(i), load_vector(x, i), gap(i));
   const auto node = host_copy(scene.hexes.position);
   const auto corner = host_copy(scene.hexes.connectivity);
   const auto hex_body = host_copy(scene.hex_body);
@@ -113,13 +113,13 @@ void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulati
   Json cost;
   cost.set("wall_seconds", seconds).set("cpu_seconds", cpu_seconds());
   cost.set("threads", ExecSpace().concurrency()).set("steps", s.steps_this_run());
-  cost.set("particle_steps_per_second", double(scene.particles.count) * double(s.steps_this_run()) / seconds);
+  cost.set("particle_steps_per_second", s.particle_steps() / seconds);
   cost.set("peak_memory_bytes", memory_bytes());
   for (const auto& [phase, time] : s.timer.totals()) cost.set("seconds: " + phase, time);
   const HistoryTable raw = read_history(folder.history());
   Json summary;
   summary.set("title", deck.title).set("ended", ended).set("version", SWARF_VERSION);
-  summary.set("particles", scene.particles.count).set("tied_particles", scene.particles.tied);
+  summary.set("particles", scene.particles.whole).set("tied_particles", scene.tie.count);
   summary.set("hexes", scene.hexes.points.count).set("nodes", scene.hexes.nodes);
   summary.set("steps", s.step_count()).set("time", s.time()).set("dt", s.dt());
   summary.set("list_rebuilds", s.rebuilds()).set("leaked_particles", leaked);

@@ -26,7 +26,8 @@ TiedBlock make_tied_block(int tied) {
   TiedBlock b;
   b.hexes = make_distorted_block({3, 3, 3}, ti64(), 10e-6, 0.2);
   b.particles.count = 5, b.particles.tied = tied;
-  b.particles.points.count = b.particles.total = 5 + tied;
+  b.particles.points.count = b.particles.stored = b.particles.total = 5 + tied;
+  b.particles.whole = 5;
   allocate(b.particles, 5 + tied);
   b.tie.count = tied;
   b.tie.host = IndexField("host", tied), b.tie.shape = View<Real* [8]>("shape", tied);

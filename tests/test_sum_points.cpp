@@ -15,7 +15,7 @@ void put(const Field& field, const std::vector<Value>& values) {
 // Particles of 1 and 3 kg, and a tied one: its stress does work, its mass is its hex's.
 TEST(SumPoints, OfParticlesAndTiedParticles) {
   Particles p;
-  p.count = 2, p.tied = 1, p.total = p.points.count = 3;
+  p.count = 2, p.tied = 1, p.stored = p.total = p.points.count = 3;
   allocate(p, 3);
   put<ScalarField, Real>(p.points.mass, {1, 3, 100});
   const auto v = host_copy(p.velocity);
@@ -56,7 +56,7 @@ TEST(SumPoints, OfAMovingBlockOfHexes) {
 // More points than a block of the sum holds: 1 + 2 + ... + n, exact in integers.
 TEST(SumPoints, OfManyBlocks) {
   Particles p;
-  p.count = p.total = p.points.count = 3001;
+  p.count = p.stored = p.total = p.points.count = 3001;
   allocate(p, p.count);
   std::vector<Real> number;
   for (int i = 1; i <= p.count; ++i) number.push_back(Real(i % 1000));

@@ -18,7 +18,7 @@ struct HexMesh {
   View<Real* [4][3]> hourglass;    // generalised hourglass force of the stiffness control, N
   ScalarField hourglass_work;      // J
   ScalarField viscous_work;        // J, bulk viscosity
-  View<int*> active;               // 0: deleted
+  View<int*> active;               // hex_deleted, hex_active or hex_asleep (sleep.hpp)
 
   VectorField position, velocity, force;     // nodes
   ScalarField mass;                          // lumped, kg, not mass-scaled
@@ -30,6 +30,7 @@ struct HexMesh {
   ScalarField contact_gap;     // m, 0: the node lies on the surface
   ScalarField contact_area;    // m2, share of the surface; 0 for nodes inside: no contact
   View<unsigned*> constraints; // bit b: row b of the ConstraintTable
+  ScalarField damping;         // 1/s, where sleep begins; 0 rows without it
 
   // Gather: corners of node a are corner_of_node[corner_start[a] .. corner_start[a+1]), each 8 * hex +
   // corner.
@@ -46,6 +47,7 @@ struct HexMesh {
     visit("friction_force", friction_force), visit("contact_force", contact_force);
     visit("friction_work", friction_work), visit("external_work", external_work);
     visit("contact_energy", contact_energy), visit("nodal_temperature", nodal_temperature);
+    visit("constraints", constraints), visit("damping", damping);
   }
 };
 

@@ -71,7 +71,9 @@ void couple_nodes(const HexMesh&, const TransformTable&,
 void couple_heat(const HexMesh&, const TransformTable&); // periodic pairs share nodal_heat
 
 // --- both
-void update_stress(const MaterialPoints&, const MaterialTable&, Real dt, const Status&);
+// active: of hexes, those asleep are left out; empty: all points.
+void update_stress(const MaterialPoints&, const MaterialTable&, Real dt, const Status&,
+                   const View<int*>& active = {});
 void tool_contact(const ContactPoints&, const Tool&, const ToolPose&, const ContactLaw&, const MaterialTable&,
                   Real mass_factor, Real dt);
 
@@ -85,6 +87,15 @@ void hex_heat(const HexMesh&, const MaterialTable&, Real dt);                   
 void gather_heat(const Tie&, const Particles&, const HexMesh&, const MaterialTable&); // to the nodes
 void spread_temperature(const Tie&, const Particles&, const HexMesh&); // of nodes, hexes, tied particles
 
+// --- sleep
+// Points [n] that the tool comes near to or that move fast.
+VectorField find_action(const Particles&, const HexMesh&, const Tool&, const ToolPose&, const ImagePlanes&,
+                        const Sleep&);
+void rest_particles(Particles&, const Tie&, const VectorField& action, const Sleep&, Real mass_factor);
+void rest_hexes(const HexMesh&, const TransformTable&, const VectorField& action, const Sleep&,
+                Real mass_factor);
+void find_tied_rows(const Tie&, const Particles&); // tie.row
+
 // --- time
 struct Motion { // a set of points that Newton's law moves: particles or nodes
   int count = 0;
@@ -94,6 +105,7 @@ struct Motion { // a set of points that Newton's law moves: particles or nodes
 };
 void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
 void drift(const Motion&, Real dt);
+void absorb_waves(const Motion&, const ScalarField& damping, Real mass_factor, Real dt);
 // XSPH: the velocity that particles move with; v of their neighbours has the share epsilon in it.
 void smooth_velocity(const Particles&, const Neighbors&, const ConstraintTable&, Real epsilon);
 

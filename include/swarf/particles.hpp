@@ -6,13 +6,17 @@ namespace swarf {
 
 // Rows of every field:  [0, count)              particles
 //                       [count, count + tied)   tied particles: they live inside hexes and move with them
-//                       [count + tied, total)   images of the rows before, across periodic and mirror planes
-// Only rows [0, count) carry mass and are integrated in time. Sorted in space at every neighbour rebuild.
+//                       [count + tied, listed)  asleep, of both kinds (sleep.hpp): neighbours only
+//                       [listed, stored)        asleep, far from all that moves: in no list
+//                       [stored, total)         images of the rows before, across periodic and mirror planes
+// Only rows [0, count) are integrated in time. Sorted in space at every neighbour rebuild.
 struct Particles {
   MaterialPoints points; // points.count == count + tied
   int count = 0;
   int tied = 0;
+  int listed = 0, stored = 0;
   int total = 0;
+  int whole = 0; // particles awake and asleep: those whose identity is less; the others are tied
 
   VectorField position;         // m
   VectorField velocity;         // m/s
@@ -36,6 +40,7 @@ struct Particles {
 
   VectorField drift_velocity; // m/s, rows [0, count); 0 rows without XSPH
   ScalarField heat;           // J that conduction brought last, rows [0, count + tied); 0 rows without it
+  ScalarField damping;        // 1/s, where sleep begins (sleep.hpp), rows [0, count); 0 rows without it
 
   // History that belongs to the particle.
   VectorField hourglass_rate;      // m/s, of hourglass_displacement
@@ -67,6 +72,15 @@ struct Particles {
     visit("external_work", external_work), visit("contact_energy", contact_energy);
     visit("contact_gap", contact_gap), visit("contact_area", contact_area);
     visit("identity", identity), visit("body", body), visit("constraints", constraints);
+    visit("damping", damping);
+  }
+
+  // Visits what a neighbour reads and the step recomputes for rows that are awake: sleeping rows keep it.
+  template <class Visitor>
+  void for_each_pair_field(Visitor&& visit) {
+    visit("correction", correction), visit("pair_stress", pair_stress), visit("strain_rate", strain_rate);
+    visit("artificial_stress", artificial_stress), visit("pressure_state", pressure_state);
+    visit("heat_state", heat_state), visit("heat_shape", heat_shape);
   }
 };
 

@@ -1,6 +1,6 @@
 // Rigid maps of periodic and mirror images, and the velocity constraints of faces.
 #pragma once
-#include "swarf/tensor.hpp"
+#include "swarf/sleep.hpp"
 
 namespace swarf {
 
@@ -33,6 +33,7 @@ using ConstraintTable = View<Constraint*>;
 
 // Applies the constraints of `bits` to v. Faces that meet are taken in the order of their bits.
 SWARF_FN Vector3 constrain(Vector3 v, unsigned bits, const ConstraintTable& table) {
+  if (bits & held_bit) return {0, 0, 0};
   for (int b = 0; bits != 0; ++b, bits >>= 1) {
     if (!(bits & 1u)) continue;
     const Constraint& c = table(b);

@@ -33,7 +33,7 @@ inline ParticleBlock particle_block(int nx, int ny, int nz, Real spacing, Real d
   ParticleBlock b;
   Particles& p = b.particles;
   const int n = nx * ny * nz;
-  p.count = p.points.count = p.total = n;
+  p.count = p.points.count = p.listed = p.stored = p.total = p.whole = n;
   allocate(p, n);
   b.materials = MaterialTable("materials", 1);
   const auto materials = Kokkos::create_mirror_view(b.materials);

@@ -74,13 +74,15 @@ struct PointState {
 
 // Particles in the order of their identity, or the nodes of a scene without particles.
 inline std::vector<PointState> snapshot(const Scene& scene) {
-  const bool particles = scene.particles.count > 0;
-  const int n = particles ? scene.particles.count : scene.hexes.nodes;
+  const bool particles = scene.particles.whole > 0;
+  std::vector<int> rows = particle_rows(scene.particles);
+  if (!particles)
+    for (int a = 0; a < scene.hexes.nodes; ++a) rows.push_back(a);
   const auto x = host_copy(particles ? scene.particles.position : scene.hexes.position);
   const auto v = host_copy(particles ? scene.particles.velocity : scene.hexes.velocity);
   const auto identity = host_copy(scene.particles.identity);
-  std::vector<PointState> all(std::size_t(n), PointState{});
-  for (int i = 0; i < n; ++i)
+  std::vector<PointState> all(rows.size(), PointState{});
+  for (int i : rows)
     for (int d = 0; d < 3; ++d) {
       PointState& p = all[std::size_t(particles ? identity(i) : i)];
       p.x[d] = double(x(i, d)), p.v[d] = double(v(i, d));

@@ -1,0 +1,35 @@
+// Points far from the action sleep: they keep their state and take no part in the step.
+#pragma once
+#include "swarf/tensor.hpp"
+
+namespace swarf {
+
+// The action: points that the tool may touch soon, and points that move fast. With d the distance of a point
+// from the nearest of them, and lengths in m:
+//   d <= distance                     moves; over the last `ramp` of it velocities are damped, so that waves
+//   that
+//                                     run outwards do not come back
+//   distance < d <= distance + margin is held: its stress follows the motion of its neighbours, so that the
+//                                     energy of the rest closes as if it were a fixed face
+//   beyond                            sleeps; up to `reach` further it is still a neighbour of what is held
+struct Sleep {
+  Real distance = 0, margin = 0, reach = 0;
+  Real ramp = 0;
+  Real damping = 0; // 1/s at d = distance
+  Real speed = 0;   // m/s: what is faster is part of the action
+  Real cell = 0;    // one point of the action is kept per cell of this size
+};
+
+// Bit of Particles::constraints and HexMesh::constraints: the point is held at velocity 0.
+inline constexpr unsigned held_bit = 1u << 31;
+
+// Values of HexMesh::active.
+inline constexpr int hex_deleted = 0, hex_active = 1, hex_asleep = 2;
+
+// Quadratic in the depth into the ramp: a wave meets no step in it.
+SWARF_FN Real damping_at(const Sleep& s, Real d) {
+  const Real depth = (d - (s.distance - s.ramp)) / s.ramp;
+  return depth > 0 ? s.damping * depth * depth : Real(0);
+}
+
+} // namespace swarf

@@ -1,0 +1,57 @@
+// What of the model sleeps, and when that is looked at again.
+#include "src/simulation.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace swarf {
+namespace {
+
+// Of all materials, with the scaled mass.
+double fastest_wave(const MaterialTable& table, double mass_factor) {
+  const auto materials = host_copy(table);
+  double fastest = 0;
+  for (std::size_t m = 0; m < materials.extent(0); ++m)
+    fastest = std::max(fastest, double(longitudinal_wave_speed(materials(m))));
+  return fastest / std::sqrt(mass_factor);
+}
+
+} // namespace
+
+// Held points reach as far as the motion of a moving one is felt: a kernel's support, and a hex, in which a
+// tied particle moves though it lies farther than the nodes that move.
+Sleep Simulation::sleep_of() const {
+  Sleep s;
+  s.distance = Real(*deck.sleep.distance);
+  s.ramp = Real(deck.sleep.ramp) * s.distance;
+  s.margin = Real(model.cutoff + model.hex_diagonal), s.reach = Real(model.cutoff);
+  // Waves of up to 0.6 ramps come back with less than 2 %; longer ones meet a fixed support (test_absorb_waves).
+  s.damping = Real(16 * fastest_wave(model.materials, mass_factor)) / s.ramp;
+  s.speed = Real(deck.sleep.speed * driving_speed);
+  s.cell = Real(0.125) * s.distance;
+  return s;
+}
+
+void Simulation::rest() {
+  const Sleep sleep = sleep_of();
+  const VectorField action =
+      find_action(model.particles, model.hexes, model.tool, pose(), model.image_planes, sleep);
+  rest_particles(model.particles, model.tie, action, sleep, Real(mass_factor));
+  rest_hexes(model.hexes, model.node_transforms, action, sleep, Real(mass_factor));
+  rest_due = false, rested_at = now;
+  timer.mark("sleep");
+}
+
+// The tool may travel half a cell before the action is looked for again: it finds what is nearer than two.
+void Simulation::plan_rest() {
+  const double cell = model.spacing > 0 ? model.spacing : model.hex_diagonal / std::sqrt(3.0);
+  rest_due = deck.sleep.distance && driving_speed * (now - rested_at) >= 0.5 * cell;
+  lists_due = lists_due || (rest_due && model.particles.stored > 0);
+}
+
+void Simulation::fade_waves() {
+  const Real dt = Real(step_size);
+  absorb_waves(motion_of(model.particles), model.particles.damping, Real(mass_factor), dt);
+  absorb_waves(motion_of(model.hexes), model.hexes.damping, Real(mass_factor), dt);
+}
+
+} // namespace swarf

@@ -1,0 +1,72 @@
+#include "support/box_tool.hpp"
+#include "support/particle_block.hpp"
+#include <gtest/gtest.h>
+
+namespace swarf {
+namespace {
+
+constexpr Real dx = 1e-6;
+
+std::vector<Vector3> found(const test::ParticleBlock& b, const Tool& tool, const Sleep& s,
+                           const ImagePlanes& planes = {}) {
+  const auto action = host_copy(find_action(b.particles, HexMesh{}, tool, ToolPose{}, planes, s));
+  std::vector<Vector3> out;
+  for (std::size_t k = 0; k < action.extent(0); ++k) out.push_back(load_vector(action, int(k)));
+  return out;
+}
+
+void set_speed(const test::ParticleBlock& b, int row, Real speed) {
+  const auto v = host_copy(b.particles.velocity);
+  v(row, 1) = speed;
+  Kokkos::deep_copy(b.particles.velocity, v);
+}
+
+TEST(FindAction, is_nowhere_in_a_body_at_rest_without_a_tool) {
+  Sleep s;
+  s.speed = 1, s.cell = dx;
+  EXPECT_TRUE(found(test::particle_block(5, 5, 5, dx), Tool{}, s).empty());
+}
+
+TEST(FindAction, is_where_points_move_faster_than_the_limit) {
+  const test::ParticleBlock b = test::particle_block(5, 5, 5, dx);
+  Sleep s;
+  s.speed = 1, s.cell = dx / 2;
+  set_speed(b, 7, Real(1.01)), set_speed(b, 9, Real(-1.01)), set_speed(b, 30, Real(0.99));
+  const auto action = found(b, Tool{}, s);
+  ASSERT_EQ(action.size(), 2u);
+  for (const Vector3& x : action) EXPECT_TRUE(x.x == Real(2.5) * dx || x.x == Real(4.5) * dx);
+}
+
+TEST(FindAction, keeps_one_point_for_each_cell) {
+  const test::ParticleBlock b = test::particle_block(8, 8, 8, dx);
+  for (int i = 0; i < 512; ++i) set_speed(b, i, 2);
+  Sleep s;
+  s.speed = 1, s.cell = Real(4) * dx;
+  EXPECT_EQ(found(b, Tool{}, s).size(), 8u);
+}
+
+// The grid of the box tool ends a margin beyond its faces, at x = 6.4 um.
+TEST(FindAction, is_where_the_tool_is_near) {
+  const test::ParticleBlock b = test::particle_block(20, 3, 3, dx);
+  Sleep s;
+  s.speed = 1, s.cell = dx / 2;
+  const auto action = found(b, test::make_box_tool({5 * dx, 5 * dx, 5 * dx}, 1.4 * dx), s);
+  EXPECT_EQ(action.size(), 6u * 9u);
+  for (const Vector3& x : action) EXPECT_LT(x.x, Real(6.5) * dx);
+}
+
+TEST(FindAction, has_images_across_periodic_planes) {
+  const test::ParticleBlock b = test::particle_block(5, 5, 5, dx);
+  set_speed(b, 0, 2);
+  Sleep s;
+  s.speed = 1, s.cell = dx;
+  ImagePlane plane;
+  plane.normal = {0, 0, 1}, plane.offset = 0, plane.periodic = plane.active = true;
+  plane.to_image = {identity3(), {0, 0, 5 * dx}};
+  const auto action = found(b, Tool{}, s, {plane});
+  ASSERT_EQ(action.size(), 2u);
+  EXPECT_NEAR(action[1].z - action[0].z, 5 * dx, 1e-12 * dx);
+}
+
+} // namespace
+} // namespace swarf

@@ -1,0 +1,117 @@
+#include "support/particle_block.hpp"
+#include <gtest/gtest.h>
+#include <set>
+
+namespace swarf {
+namespace {
+
+constexpr Real dx = 1e-6;
+
+Sleep sleep_for(const test::ParticleBlock& b, Real distance) {
+  Sleep s;
+  s.distance = distance, s.ramp = distance / 2, s.damping = 1e6, s.cell = dx;
+  s.margin = s.reach = b.neighbors.cutoff;
+  return s;
+}
+
+VectorField action_at(const Vector3& x) {
+  const VectorField action("action", 1);
+  auto host = Kokkos::create_mirror_view(action);
+  store_vector(host, 0, x);
+  Kokkos::deep_copy(action, host);
+  return action;
+}
+
+// A row of 40 x 4 x 4 particles that all move; the action is at its near end.
+test::ParticleBlock moving_row() {
+  test::ParticleBlock b = test::particle_block(40, 4, 4, dx);
+  const auto identity = host_copy(b.particles.identity);
+  const auto v = host_copy(b.particles.velocity);
+  for (int i = 0; i < b.particles.count; ++i) identity(i) = i, v(i, 0) = Real(1 + i % 7), v(i, 1) = -2;
+  Kokkos::deep_copy(b.particles.identity, identity), Kokkos::deep_copy(b.particles.velocity, v);
+  return b;
+}
+
+Real energy(const Particles& p, Real mass_factor) {
+  const PointSums s = sum_particles(p, mass_factor);
+  return s.kinetic - s.external;
+}
+
+TEST(RestParticles, what_moves_feels_only_what_is_awake_and_what_is_awake_only_what_is_listed) {
+  test::ParticleBlock b = moving_row();
+  Particles& p = b.particles;
+  const Sleep s = sleep_for(b, 10 * dx);
+  rest_particles(p, Tie{}, action_at({0, 2 * dx, 2 * dx}), s, 1);
+  ASSERT_LT(p.count, p.listed);
+  ASSERT_LT(p.listed, p.stored);
+  EXPECT_EQ(p.stored, 640);
+  test::build_lists(b);
+  const auto x = host_copy(p.position);
+  const auto bits = host_copy(p.constraints);
+  int moving = 0, held = 0;
+  for (int i = 0; i < p.count; ++i)
+    for (int j = 0; j < p.stored; ++j) {
+      if (norm(load_vector(x, i) - load_vector(x, j)) >= b.neighbors.cutoff) continue;
+      EXPECT_LT(j, p.listed);
+      const bool moves = !(bits(i) & held_bit);
+      EXPECT_TRUE(!moves || j < p.count) << i;
+      (moves ? moving : held) += j == i;
+    }
+  EXPECT_GT(moving, 100);
+  EXPECT_GT(held, 30);
+  // The lists hold rows that are listed, and no others.
+  const auto neighbor = host_copy(b.neighbors.neighbor);
+  const auto start = host_copy(b.neighbors.start);
+  std::set<int> seen;
+  for (long k = 0; k < start(b.neighbors.clusters); ++k) seen.insert(neighbor(k));
+  EXPECT_LT(*seen.rbegin(), p.listed);
+  EXPECT_GE(*seen.rbegin(), p.count);
+}
+
+TEST(RestParticles, the_energy_of_what_stops_leaves_by_external_work) {
+  test::ParticleBlock b = moving_row();
+  const Real factor = 100, before = energy(b.particles, factor);
+  rest_particles(b.particles, Tie{}, action_at({0, 2 * dx, 2 * dx}), sleep_for(b, 10 * dx), factor);
+  const PointSums after = sum_particles(b.particles, factor);
+  EXPECT_LT(after.kinetic, Real(0.4) * before);
+  EXPECT_NEAR(after.kinetic - after.external, before, 1e-12 * before);
+}
+
+TEST(RestParticles, sleep_and_waking_keep_the_state_of_every_particle) {
+  test::ParticleBlock b = moving_row();
+  Particles& p = b.particles;
+  const auto temperature = host_copy(p.points.temperature);
+  for (int i = 0; i < p.count; ++i) temperature(i) = 300 + i;
+  Kokkos::deep_copy(p.points.temperature, temperature);
+  std::vector<Vector3> x;
+  for (int i = 0; i < p.count; ++i) x.push_back(load_vector(host_copy(p.position), i));
+  rest_particles(p, Tie{}, action_at({39 * dx, 2 * dx, 2 * dx}), sleep_for(b, 10 * dx), 1);
+  EXPECT_LT(p.count, 400);
+  rest_particles(p, Tie{}, VectorField("none", 0), sleep_for(b, 10 * dx), 1);
+  EXPECT_EQ(p.count, 640);
+  EXPECT_EQ(p.listed, 640);
+  const auto identity = host_copy(p.identity);
+  const auto kept = host_copy(p.points.temperature);
+  const auto now = host_copy(p.position);
+  const auto bits = host_copy(p.constraints);
+  for (int i = 0; i < p.count; ++i) {
+    EXPECT_EQ(kept(i), 300 + identity(i));
+    EXPECT_EQ(norm(load_vector(now, i) - x[std::size_t(identity(i))]), 0);
+    EXPECT_EQ(bits(i), 0u);
+  }
+}
+
+TEST(RestParticles, damping_rises_with_the_square_of_the_depth_in_the_ramp) {
+  test::ParticleBlock b = moving_row();
+  const Sleep s = sleep_for(b, 20 * dx);
+  rest_particles(b.particles, Tie{}, action_at({0, 0, 0}), s, 1);
+  const auto x = host_copy(b.particles.position);
+  const auto damping = host_copy(b.particles.damping);
+  for (int i = 0; i < b.particles.count; ++i) {
+    const Real depth = (norm(load_vector(x, i)) - 10 * dx) / (10 * dx);
+    EXPECT_NEAR(damping(i), depth > 0 ? 1e6 * depth * depth : 0, 1e-3);
+  }
+}
+
+} // namespace
+} // namespace swarf
