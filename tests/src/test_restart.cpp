@@ -118,6 +118,24 @@ TEST(Restart, killed_in_the_initial_frame) {
   expect_equal(folder / "whole", folder / "killed");
 }
 
+TEST(Restart, killed_while_parts_sleep) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(
+      folder, edit_small_deck({{"[run]", "[sleep]\ndistance = \"32 um\"\nspeed = 1.0\n[run]"},
+                               {"start_angle = \"-1 deg\"\nend_angle = \"4 deg\"\ncells = [14,",
+                                "start_angle = \"-9 deg\"\nend_angle = \"4 deg\"\ncells = [36,"},
+                               {"start_angle = \"-1 deg\"\nend_angle = \"4 deg\"\ncells = [7,",
+                                "start_angle = \"-9 deg\"\nend_angle = \"4 deg\"\ncells = [19,"}}));
+  const std::size_t whole = run_whole(deck, folder / "whole");
+  int awake = 0;
+  CheckpointReader(folder / "whole" / "checkpoint.h5").get("awake", awake);
+  EXPECT_LT(awake, 1200); // of 1440
+  run_with_kills(deck, folder / "killed", whole, 3);
+  expect_equal(folder / "whole", folder / "killed");
+  run_whole(deck, folder / "two threads", 2);
+  expect_equal(folder / "whole", folder / "two threads");
+}
+
 TEST(Restart, threads_and_repetition_change_no_byte) {
   const TemporaryFolder folder;
   const std::string deck = write_deck(folder, small_deck);

@@ -86,6 +86,12 @@ checkpoint_time = "1.5 us"
 
 using Edits = std::vector<std::pair<std::string, std::string>>;
 
+// A longer sector, so that there is something to sleep.
+inline const Edits longer_sector = {{"start_angle = \"-1 deg\"\nend_angle = \"4 deg\"\ncells = [14,",
+                                     "start_angle = \"-9 deg\"\nend_angle = \"4 deg\"\ncells = [36,"},
+                                    {"start_angle = \"-1 deg\"\nend_angle = \"4 deg\"\ncells = [7,",
+                                     "start_angle = \"-9 deg\"\nend_angle = \"4 deg\"\ncells = [19,"}};
+
 // The small deck with each `from`, which it must hold, replaced by `to`.
 inline std::string edit_small_deck(const Edits& edits) {
   std::string text = small_deck;
