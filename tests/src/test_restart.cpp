@@ -120,12 +120,9 @@ TEST(Restart, killed_in_the_initial_frame) {
 
 TEST(Restart, killed_while_parts_sleep) {
   const TemporaryFolder folder;
-  const std::string deck = write_deck(
-      folder, edit_small_deck({{"[run]", "[sleep]\ndistance = \"32 um\"\nspeed = 1.0\n[run]"},
-                               {"start_angle = \"-1 deg\"\nend_angle = \"4 deg\"\ncells = [14,",
-                                "start_angle = \"-9 deg\"\nend_angle = \"4 deg\"\ncells = [36,"},
-                               {"start_angle = \"-1 deg\"\nend_angle = \"4 deg\"\ncells = [7,",
-                                "start_angle = \"-9 deg\"\nend_angle = \"4 deg\"\ncells = [19,"}}));
+  Edits edits = longer_sector;
+  edits.push_back({"[run]", "[sleep]\ndistance = \"32 um\"\nspeed = 1.0\n[run]"});
+  const std::string deck = write_deck(folder, edit_small_deck(edits));
   const std::size_t whole = run_whole(deck, folder / "whole");
   int awake = 0;
   CheckpointReader(folder / "whole" / "checkpoint.h5").get("awake", awake);
