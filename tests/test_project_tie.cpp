@@ -58,6 +58,11 @@ TiedBlock make_tied_block(int tied) {
   };
   upload(b.tie.row_node, nodes), upload(b.tie.start, start), upload(b.tie.entry, entry);
   Kokkos::deep_copy(b.tie.host, host), Kokkos::deep_copy(b.tie.shape, shape);
+  const auto identity = host_copy(b.particles.identity);
+  for (int i = 0; i < 5 + tied; ++i) identity(i) = i;
+  Kokkos::deep_copy(b.particles.identity, identity);
+  b.tie.row = IndexField("row", tied);
+  find_tied_rows(b.tie, b.particles);
   return b;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 // Two particles, one hex, a tool of one facet; every number differs.
 void build_scene(Particles& p, HexMesh& h, Tool& tool) {
-  p.count = p.points.count = p.stored = p.whole = 2, p.total = 3; // the third is an image: not written
+  p.count = p.points.count = p.stored = 2, p.whole = 12, p.total = 3; // the third is an image: not written
   p.position = VectorField("x", 3), p.velocity = VectorField("v", 3), p.contact_force = VectorField("f", 3);
   p.volume = ScalarField("V", 3), p.identity = IndexField("id", 3), p.body = IndexField("body", 3);
   p.points.temperature = ScalarField("T", 3), p.points.stress = SymmetricField("s", 3);
