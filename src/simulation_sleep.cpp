@@ -24,7 +24,8 @@ Sleep Simulation::sleep_of() const {
   s.distance = Real(*deck.sleep.distance);
   s.ramp = Real(deck.sleep.ramp) * s.distance;
   s.margin = Real(model.cutoff + model.hex_diagonal), s.reach = Real(model.cutoff);
-  // Waves of up to 0.6 ramps come back with less than 2 %; longer ones meet a fixed support (test_absorb_waves).
+  // Waves of up to 0.6 ramps come back with less than 2 %; longer ones meet a fixed support
+  // (test_absorb_waves).
   s.damping = Real(16 * fastest_wave(model.materials, mass_factor)) / s.ramp;
   s.speed = Real(deck.sleep.speed * driving_speed);
   s.cell = Real(0.125) * s.distance;
