@@ -1,12 +1,11 @@
 """docs/accuracy_cost.md: the pictures, what to take from them and the table, all from the results."""
-import math
-
+import advise
 import draw
 import physics
 import physics_page
 import points
 from points import MEAN_OF
-from reference import CHEAPER, ENERGY, QUANTITIES
+from reference import ENERGY, QUANTITIES
 from scenes import SCENES
 
 HEAD = """# Accuracy against cost
@@ -37,10 +36,6 @@ thickness and at a third of a spacing more and less, so that the edge meets the 
 """
 
 
-def _percent(value):
-    return "-" if value is None else f"{100 * value:+.1f} %"
-
-
 def _number(value, digits=3):
     return "-" if value is None else f"{value:.{digits}g}"
 
@@ -53,98 +48,13 @@ def reference_lines(found):
                f"({100 * reference.relative:.1f} %), {reference.said}")
 
 
-def qualifies(row, rows, found, limit):
-    """Error and scatter together within the limit, also of every finer one with the same settings, or it is chance.
-    One run alone may be, so settings that have run at one spacing only are not advised."""
-    def within(one):
-        scatter = one["cutting_force_error"] / abs(found["cutting_force"].value)
-        error = abs(draw.likely_error(one, found))
-        return error + scatter <= limit and abs(one["energy_residual"]) <= ENERGY
-    series = {*MEAN_OF, *MEAN_OF.values()} - {points.STIFFNESS_0}
-    if row["group"] in series:
-        alike = [one for one in rows if one["group"] == row["group"]]
-    else:
-        alike = [one for one in rows if (one["changes"], one["build"]) == (row["changes"], row["build"])
-                 and one["group"] not in (*series, "committed deck")]
-    finer = [one for one in alike if one["spacing"] <= row["spacing"]]
-    return len({one["spacing"] for one in alike}) > 1 and all(within(one) for one in finer)
-
-
-def advice(rows, found):
-    known = found["cutting_force"].relative
-    limits = [limit for limit in (0.05, 0.02, 0.01) if limit >= known]
-    parts = [advised(rows, found, limit, f"{100 * limit:.0f} %") for limit in limits]
-    if len(limits) < 3:
-        tighter = next(limit for limit in (0.05, 0.02, 0.01) if limit < known)
-        parts.append(f"For {100 * tighter:.0f} %: cannot be said, the reference itself is known to "
-                     f"{100 * known:.1f} %.")
-    if not limits:
-        parts.append(advised(rows, found, known, f"these {100 * known:.1f} %"))
-    return " ".join(parts)
-
-
-def advised(rows, found, limit, name):
-    good = [row for row in rows if qualifies(row, rows, found, limit)]
-    if not good:
-        return f"For {name}: none of these points."
-    shipped = next((row for row in rows if row["group"] == "committed deck"), None)
-    row = min(good, key=lambda one: one["core_seconds"])
-    compared = f", {row['core_seconds'] / shipped['core_seconds']:.2g} of the shipped deck" if shipped else ""
-    keys = f" ({row['changes']})" if row["changes"] else ""
-    return (f"For {name} of the cutting force use \"{row['label']}\"{keys}: {row['core_seconds']:.0f} "
-            f"core-seconds{compared}.")
-
-
-def base_of(scene, rows):
-    return next(row for row in rows if row["group"] == "spacing" and row["spacing"] == scene.spacing)
-
-
-def front(scene, rows, found):
-    """What is on the front, and whether the shipped settings are."""
-    best = draw.front_of(rows, found)
-    base = base_of(scene, rows)
-    said = "are on it" if base in best else "are not on it"
-    listed = ", ".join(f"{row['label']} ({row['core_seconds']:.3g} core-seconds, "
-                       f"{_percent(draw.error_of(row, 'cutting_force', found))})" for row in best)
-    return (f"On the front: {listed}. The shipped settings ({base['label']}, {base['core_seconds']:.3g} core-seconds, "
-            f"{_percent(draw.error_of(base, 'cutting_force', found))}) {said}.")
-
-
-def difference(row, base):
-    """Relative, with twice its standard error."""
-    return (row["cutting_force"] / base["cutting_force"] - 1,
-            2 * math.hypot(row["cutting_force_error"], base["cutting_force_error"]) / base["cutting_force"])
-
-
-def shipped(scene, rows, found):
-    """Whether what is shipped should move: only if a cheaper point is nearer to the reference by more than chance."""
-    base = base_of(scene, rows)
-    value, near = found["cutting_force"].value, []
-    for row in rows:
-        gained = (abs(draw.likely_error(base, found)) - abs(draw.likely_error(row, found))) * abs(value)
-        known = 2 * math.hypot(row["cutting_force_error"], base["cutting_force_error"])
-        kept = abs(row["energy_residual"]) <= ENERGY
-        if kept and row["core_seconds"] < CHEAPER * base["core_seconds"] and gained > known:
-            near.append(row["label"])
-    said = ("Cheaper than the shipped settings and nearer to the reference by more than twice the scatter: "
-            f"{', '.join(near)}." if near else "No point that is cheaper than the shipped settings is nearer to the "
-            "reference by more than twice the scatter, so they stay.")
-    whole = next((row for row in rows if row["group"] == "committed deck"), None)
-    if whole:
-        change, error = difference(whole, base)
-        said += (f" The shipped deck, whole, costs {whole['core_seconds'] / base['core_seconds']:.1f} times the base "
-                 f"because it cuts for longer, and its cutting force is {_percent(change)} (+- {100 * error:.1f}) "
-                 f"against the base.")
-    return said
-
-
 def table(rows, found):
     names = [quantity for quantity in QUANTITIES if quantity in found]
     yield ("| swept | point | core-s | M particle-steps | " + " | ".join(f"{QUANTITIES[name]}" for name in names)
            + " | F_c, N | F_f, N | h_c / h | energy residual | keys changed |")
     yield "|" + "---|" * (9 + len(names))
     for row in sorted(rows, key=lambda one: (one["group"], one["core_seconds"] or 0)):
-        errors = " | ".join(_percent(draw.error_of(row, name, found)) for name in names)
+        errors = " | ".join(advise.percent(draw.error_of(row, name, found)) for name in names)
         ratio = row["chip_thickness"] / row["uncut_thickness"] if row.get("chip_thickness") else None
         forces = " | ".join(f"{row[name]:.4g} +- {row[name + '_error']:.2g}" if row.get(name) is not None else "-"
                             for name in ("cutting_force", "feed_force"))
@@ -153,7 +63,7 @@ def table(rows, found):
             said = f"**{row['status'].replace('|', '/')}** {row['changes']}"
         steps = row["particle_steps"] / 1e6 if row.get("particle_steps") is not None else None
         yield (f"| {row['group']} | {draw.label_of(row)} | {_number(row['core_seconds'])} | {_number(steps)} | "
-               f"{errors} | {forces} | {_number(ratio)} | {_percent(row.get('energy_residual'))} | {said} |")
+               f"{errors} | {forces} | {_number(ratio)} | {advise.percent(row.get('energy_residual'))} | {said} |")
 
 
 SHARED = ("mass 1e2", "mass 1e3", "courant 0.3", "viscosity 0", "slice 6 dx", "slice 12 dx", "work 400 um",
@@ -170,7 +80,7 @@ def shared_settings(scene, rows):
         if row["label"] in SHARED:
             errors = (one["cutting_force_own_error"] for one in (row, base))
             scatter = sum(error**2 for error in errors)**0.5 / base["cutting_force"]
-            changes.append(f"{row['label']} {_percent(row['cutting_force'] / base['cutting_force'] - 1)} "
+            changes.append(f"{row['label']} {advise.percent(row['cutting_force'] / base['cutting_force'] - 1)} "
                            f"(+- {200 * scatter:.1f})")
     return ("All points share what the reference therefore does not see. Cutting force against the base, with settings "
             f"closer to their limit: {', '.join(changes)}.") if changes else None
@@ -194,7 +104,7 @@ def stiffness_over_spacing(rows):
         errors = (one["cutting_force_own_error"] for one in (ours, theirs))
         scatter = sum(error**2 for error in errors)**0.5 / theirs["cutting_force"]
         change = ours["cutting_force"] / theirs["cutting_force"] - 1
-        said.append(f"{_percent(change)} (+- {200 * scatter:.1f}) at dx = {spacing:.3g} um")
+        said.append(f"{advise.percent(change)} (+- {200 * scatter:.1f}) at dx = {spacing:.3g} um")
     return f"What the default hourglass stiffness adds to the cutting force: {', '.join(said)}."
 
 
@@ -210,42 +120,25 @@ def hourglass_over_spacing(rows):
             + (f"With other settings: {others}." if others else ""))
 
 
-def combination(rows):
-    """Which of the best settings get on with one another."""
-    tried = [row for row in rows if row["group"] == "combination"]
-    kept = [row for row in tried if row["status"] == "complete" and abs(row["energy_residual"]) <= ENERGY]
-    if not tried:
-        return None
-    said = [f"\"{row['label']}\" ({_percent(row['energy_residual'])}"
-            f"{', did not end' if row['status'] != 'complete' else ''})" for row in tried if row not in kept]
-    best = max(kept, key=lambda row: row["label"].count(" + "))["label"] if kept else "none"
-    lost = (f" These lose it: {', '.join(said)}. Each setting alone keeps it: the step is the Courant number times "
-            "h / c', which counts neither the viscosities nor the hourglass stiffness; a large Courant number leaves "
-            "no room for more of them, nor for the stronger pairs of a smaller h / dx.") if said else ""
-    return (f"Of each group the cheapest setting that is no worse, within the scatter, and costs at most "
-            f"{100 * CHEAPER:.0f} % of the base, the cheapest first, tried at dx = {tried[0]['spacing']:.3g} um. "
-            f"Together these keep the energy balance: {best}.{lost}")
-
-
 def section(name, tried, rows, found):
     scene = SCENES[name]
     planned = {point.label for point in points.points_of(scene) if not point.full}
     missing = [point.label for point in points.points_of(scene) if point.label in planned - tried]
     spacings = {point.label for point in points.points_of(scene) if point.group == "spacing" and not point.full}
-    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] != "combination"]
-    failed = [row for row in rows if row["status"] != "complete" and row["group"] != "combination"]
+    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in draw.ASIDE]
+    failed = [row for row in rows if row["status"] != "complete" and row["group"] not in draw.ASIDE]
     yield f"\n## {scene.title.capitalize()}\n"
     yield f"![Error of the cutting force against core-seconds](accuracy_cost_{name}.png)\n"
     if missing:
         yield f"Not finished: {len(missing)} of {len(planned)} points have not run: {', '.join(missing)}.\n"
     if spacings <= tried:
-        yield advice(complete, found) + " " + front(scene, complete, found) + "\n"
+        yield advise.advice(complete, found) + " " + advise.front(scene, complete, found) + "\n"
     else:
         yield "The series of spacings is not whole, so there is no reference to conclude from.\n"
-    yield shipped(scene, complete, found) + "\n"
+    yield advise.shipped(scene, complete, found) + "\n"
     if failed:
         yield f"{len(failed)} of {len(rows)} points did not end: " + ", ".join(row["label"] for row in failed) + ".\n"
-    if combined := combination(rows):
+    if combined := advise.combination(rows):
         yield combined + "\n"
     yield "Reference (errors in the table are relative to it):\n"
     yield "\n".join(reference_lines(found)) + "\n"
@@ -265,7 +158,7 @@ def text(drawn, runs):
     for name, (tried, rows, found) in drawn.items():
         lines += section(name, tried, rows, found)
         if name == physics.SCENE.name and any(row["group"] == physics.GROUP for row in runs):
-            lines += physics_page.section(runs, base_of(SCENES[name], rows), found)
+            lines += physics_page.section(runs, advise.base_of(SCENES[name], rows), found)
     for scene in SCENES.values():
         if scene.name not in drawn:
             tried = sum(row["scene"] == scene.name for row in runs)

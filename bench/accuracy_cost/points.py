@@ -163,11 +163,12 @@ def points_of(scene):
     if scene.name == "orthogonal":
         without = [Point(scene, STIFFNESS_0, f"stiffness 0, dx {spacing:.3g}",
                          setter("particles", hourglass_stiffness=0.0), spacing) for spacing in NO_STIFFNESS]
-        points += without + [one for point in without[:-1] for one in thicknesses(point, THREE)]
+        points += without + [replace(one, full=True) for point in without for one in thicknesses(point, THREE)]
     points += [Point(scene, group, label, change, full=sweep not in (ALWAYS, scene.name))
                for group, label, change, sweep in METHOD + work_of(scene) + own_work]
     of_label = {point.label: point for point in points}
-    points += [trial(scene, [of_label[label] for label in labels]) for labels in AT_LIMIT]
+    points += [at_once(scene, [of_label[label] for label in labels], "at the limit", " + ".join(labels),
+                       scene.spacings[0]) for labels in AT_LIMIT]
     return points + [Point(scene, "precision", "float", build="float"),
                      Point(scene, "committed deck", "shipped deck", committed=True)]
 
@@ -185,8 +186,9 @@ def at_once(scene, chosen, group, label, spacing):
 
 
 def trial(scene, chosen):
-    """At the coarsest spacing: are these stable together?"""
-    return at_once(scene, chosen, "combination", " + ".join(point.label for point in chosen), scene.spacings[0])
+    """At a coarse spacing: do these get on?"""
+    label = " + ".join(point.label for point in chosen) + f", dx {scene.trial_spacing:.3g}"
+    return at_once(scene, chosen, "combination", label, scene.trial_spacing)
 
 
 def together(scene, chosen):

@@ -1,4 +1,5 @@
 """What the results converge to: extrapolation over the spacing (Richardson 1911) with the observed order."""
+import math
 from dataclasses import dataclass
 
 import numpy
@@ -13,7 +14,8 @@ ORDERS = numpy.linspace(0.5, 2.0, 31)  # the kernel sum is of second order at be
 SAMPLES = 500
 SERIES = ("spacing", "mean of three")  # groups that differ in the spacing only
 CHEAPER = 0.85  # of the base's cost; the processor time of like runs differs by a tenth
-SETTINGS_BUT = ("combination", "committed deck", *points.MEAN_OF, *points.MEAN_OF.values())  # not of one setting
+# groups that are not of one setting
+SETTINGS_BUT = ("combination", "at the limit", "committed deck", *points.MEAN_OF, *points.MEAN_OF.values())
 
 
 @dataclass
@@ -137,24 +139,45 @@ def references(rows):
     return found
 
 
-def best_settings(rows, base, references):
-    """Of each group the cheapest setting whose errors are, within the scatter of both, no worse than the base's, and
-    which costs less by more than the same run's cost differs."""
-    def no_worse(row, quantity):
+def no_worse(row, base, references):
+    """Forces and chip thickness within the scatter of both, or nearer to the reference; and the energy is kept."""
+    if row["status"] != "complete" or abs(row["energy_residual"]) > ENERGY:
+        return False
+    for quantity in ("cutting_force", "feed_force", "chip_thickness"):
         if quantity not in references or base.get(quantity) is None:
-            return True
+            continue
         if row.get(quantity) is None:
             return False
+        ours, theirs = (abs(references[quantity].error(one.get(quantity + "_of_three", one[quantity])))
+                        for one in (row, base))
         scatter = numpy.hypot(row.get(quantity + "_error") or 0, base.get(quantity + "_error") or 0)
-        value = references[quantity].value
-        return abs(row[quantity] - value) <= abs(base[quantity] - value) + scatter
+        if ours > theirs + scatter / abs(references[quantity].value):
+            return False
+    return True
 
+
+def best_settings(rows, base, references):
+    """Of each group the cheapest setting that is no worse than the base, and which costs less by more than the same
+    run's cost differs."""
+    own = {key: value for key, value in base.items() if not key.endswith("_of_three")}  # the rows are met alike
     groups = {}
     for row in rows:
-        if row["group"] in SETTINGS_BUT or row["status"] != "complete" or abs(row["energy_residual"]) > ENERGY:
+        if row["group"] in SETTINGS_BUT:
             continue
-        good = all(no_worse(row, quantity) for quantity in ("cutting_force", "feed_force", "chip_thickness"))
+        good = no_worse(row, own, references)
         best = groups.get(row["group"])
         if good and row["core_seconds"] < (best["core_seconds"] if best else CHEAPER * base["core_seconds"]):
             groups[row["group"]] = row
     return sorted(groups.values(), key=lambda row: row["core_seconds"])
+
+
+def agrees(row, rows):
+    """Keeps its energy, and its force is that of the base's settings at the same spacing within twice the scatter:
+    small changes that each pass may add up."""
+    same = {one["group"]: one for one in rows if one["group"] in SERIES
+            and math.isclose(one["spacing"], row["spacing"], rel_tol=1e-6)}  # a file has seven digits
+    if row["status"] != "complete" or abs(row["energy_residual"]) > ENERGY or not same:
+        return False
+    base = same.get("mean of three", same["spacing"])
+    scatter = numpy.hypot(base["cutting_force_error"], same["spacing"]["cutting_force_error"])
+    return bool(abs(row["cutting_force"] - base["cutting_force"]) <= 2 * scatter)

@@ -10,7 +10,7 @@ class Orthogonal:
     # um; whole cells in the 80 um of the cut zone. Many coarse ones: which row of particles passes below the edge
     # differs between them, and with it the force.
     spacing, spacings, fine_spacings = 5.0, [80 / n for n in (8, 9, 10, 11, 12, 14, 16, 20, 24, 32)], [2.0]
-    together_spacings = [80 / n for n in (8, 10, 12, 16, 20, 24, 32)]
+    trial_spacing, together_spacings = 80 / 12, [80 / n for n in (8, 10, 12, 16, 20)]
     trend = False
     cut_time = 0.2e-3   # 95 um of cut. Later the force wanders: repeats then differ by 4 %, here by 1 %
     averaged = 0.5      # of the cut, at its end
@@ -85,7 +85,7 @@ class Milling:
     name, deck_file = "milling", "inputs/micro_milling_quick.toml"
     title = "milling slice"
     spacing, spacings, fine_spacings = 2.5, [32.5 / n for n in (8, 9, 10, 11, 13, 16, 20)], [1.25]  # um; 13: as shipped
-    together_spacings = [32.5 / n for n in (8, 9, 10, 11, 13, 16, 20)]
+    trial_spacing, together_spacings = 32.5 / 10, [32.5 / n for n in (8, 10, 13, 16)]
     trend = True            # the chip grows with the immersion
     sector_start = 2.0        # deg, instead of -12: the run ends sooner
     immersion = (76.0, 81.0)  # deg: the averages are from here to here, also of runs that end later
@@ -134,7 +134,8 @@ class Milling:
     def set_slice(self, deck, count):
         cell = self.width(deck) / decks.body(deck, "cut zone")["cells"][1]
         decks.body(deck, "cut zone")["cells"][1] = count
-        decks.body(deck, "bulk")["cells"][1] = count // 2
+        if bulk := decks.body(deck, "bulk"):
+            bulk["cells"][1] = count // 2
         self._set_height(deck, count * cell)
 
     def thicken(self, deck, more):

@@ -143,27 +143,28 @@ class Sweep:
         rows, scatter = reference.combine(rows, scene.spacing)
         base = next((row for row in rows if row["group"] == "spacing" and row["spacing"] == scene.spacing), None)
         if not (all_tried or self.options.together) or not base or base["status"] != "complete":
-            return []
+            return [], rows
         found = reference.references(rows)
         best = reference.best_settings(reference.widen(rows, found, scatter), base, found)
         of_label = {point.label: point for point in singles}
-        return [of_label[row["label"]] for row in best]
+        return [of_label[row["label"]] for row in best], rows
 
     def together(self, scene):
-        """The best settings at once: one after the other joins those before it, unless together they lose their
-        energy balance, each passing alone as it may."""
+        """The best settings at once: one after the other joins those before it, unless together they do not agree
+        with the base, each passing alone as it may."""
         chosen, tried = [], []
-        for setting in self.best(scene):
-            tried.append(points.trial(scene, [*chosen, setting]))
-            if chosen:
-                self.run_missing(tried[-1:])
-                row = self.row_of(tried[-1])
-                if not row or row["status"] != "complete" or abs(row["energy_residual"]) > reference.ENERGY:
-                    continue
-            chosen.append(setting)
+        best, rows = self.best(scene)
+        for setting in best:
+            trial = points.trial(scene, [*chosen, setting])
+            if chosen and trial.changes(ROOT) == points.trial(scene, chosen).changes(ROOT):
+                continue  # there is no band without hexes
+            tried.append(trial)
+            self.run_missing(tried[-1:])
+            row = self.row_of(tried[-1])
+            if row and reference.agrees(row, rows):
+                chosen.append(setting)
         found = points.together(scene, chosen) if len(chosen) > 1 else []
-        fixed = [point for point in points.points_of(scene) if point.group == "combination"]
-        decks_now = {self.hash_of(point) for point in tried + found + fixed}
+        decks_now = {self.hash_of(point) for point in tried + found}
         self.rows = [row for row in self.rows if row["scene"] != scene.name or row["deck"] in decks_now
                      or not (row["group"] in self.FOUND or "together" in row["label"])]
         return found
