@@ -1,7 +1,8 @@
 // Courant's condition at Courant number 1: h / c' for a particle, the hex's characteristic length / c' for a
-// hex, c' = c / sqrt(mass factor) the wave speed of the scaled mass. Minima are exact in any order of
-// threads.
+// hex, c' = c / sqrt(mass factor) the wave speed of the scaled mass; less where viscosity or stiffness
+// against hourglass modes ask it. Minima are exact in any order of threads.
 #include "swarf/heat.hpp"
+#include "swarf/hex8.hpp"
 #include "swarf/kernels.hpp"
 
 namespace swarf {
@@ -17,21 +18,47 @@ KOKKOS_INLINE_FUNCTION Real reference_speed_ratio(const Tensor3& F) {
   return Kokkos::sqrt(Kokkos::abs(J) * row_sum);
 }
 
+KOKKOS_INLINE_FUNCTION Real expansion_rate(const MaterialPoints& points, int i) { // 1/s
+  const Tensor3 L = load_tensor(points.velocity_gradient, i);
+  return L.xx + L.yy + L.zz;
+}
+
+// Where the planes of a lattice move against each other no velocity gradient sees it, and the pair terms of
+// particle_forces.cpp alone make the mode: damping alpha dashpots c / h, frequency^2 kappa G springs / rho
+// h^2. Cubic lattices of h = 0.9 to 1.8 spacings have at most, over all wave vectors,
+//   dashpots = sum_j 2 V |dW/dr| / r x^2 h^2 / (r^2 + 0.01 h^2) over such planes,
+//   springs: 4 dashpots less what evolve_hourglass gives, where the pair's own motion counts twice in a step.
+constexpr Real dashpots = Real(1.61), springs = Real(4.05);
+
+// Largest step of that mode over h / c', at most 1: for waves h / c' has to do. The shock's viscosity acts on
+// the half of the pairs that approach, Monaghan's in compression on all. slowness: h / c', s.
+KOKKOS_INLINE_FUNCTION Real step_of_pair_terms(const ParticleMethod& m, const Material& mat, Real slowness,
+                                               Real rate) {
+  const Real c = longitudinal_wave_speed(mat);
+  const Real shock =
+      m.viscosity_linear + Real(2) * m.viscosity_quadratic * slowness * Kokkos::max(-rate, Real(0));
+  const Real alpha = m.hourglass_viscosity + (m.reconstruct_viscosity ? Real(0.5) : Real(1)) * shock;
+  const Real stiffness = m.hourglass_stiffness * mat.shear_modulus / (mat.density * c * c);
+  const Real w2 = stiffness * (m.initial_frame ? dashpots : springs);
+  return Kokkos::min(Real(1), damped_step(w2, alpha * dashpots));
+}
+
 using MinStep = Kokkos::MinLoc<Real, int>;
 
 StableStep stable_step(const Particles& p, const Neighbors& n, const MaterialTable& materials,
-                       Real mass_factor) {
+                       const ParticleMethod& method) {
   StableStep result;
   if (p.count == 0) return result;
   MinStep::value_type least;
   const auto build = n.build_position;
-  const auto material = p.points.material;
+  const MaterialPoints points = p.points;
   const bool initial_frame = p.deformation_gradient.extent(0) > 0;
   Kokkos::parallel_reduce(
       "stable_step", Range(0, p.count),
       KOKKOS_LAMBDA(int i, MinStep::value_type& dt) {
-        Real own = p.smoothing_length(i) * Kokkos::sqrt(mass_factor) /
-                   longitudinal_wave_speed(materials(material(i)));
+        const Material& mat = materials(points.material(i));
+        Real own = p.smoothing_length(i) * Kokkos::sqrt(method.mass_factor) / longitudinal_wave_speed(mat);
+        own *= step_of_pair_terms(method, mat, own, expansion_rate(points, i));
         if (initial_frame) own /= reference_speed_ratio(load_tensor(p.deformation_gradient, i));
         if (own < dt.val || (own == dt.val && i < dt.loc)) dt.val = own, dt.loc = i;
       },
@@ -47,17 +74,27 @@ StableStep stable_step(const Particles& p, const Neighbors& n, const MaterialTab
   return {least.val, least.loc, Kokkos::sqrt(moved2)};
 }
 
-StableStep stable_step(const HexMesh& m, const MaterialTable& materials, Real mass_factor) {
+StableStep stable_step(const HexMesh& m, const MaterialTable& materials, const HexMethod& set) {
   StableStep result;
   if (m.points.count == 0) return result;
   MinStep::value_type least;
-  const auto material = m.points.material;
+  const MaterialPoints points = m.points;
   Kokkos::parallel_reduce(
       "stable_step_hexes", Range(0, m.points.count),
       KOKKOS_LAMBDA(int e, MinStep::value_type& dt) {
         if (m.active(e) != hex_active) return;
-        const Real own = characteristic_length(m, e) * Kokkos::sqrt(mass_factor) /
-                         longitudinal_wave_speed(materials(material(e)));
+        const Material& mat = materials(points.material(e));
+        const HexVectors B = load_gradient(m.gradient, e);
+        const Real volume = m.volume(e);
+        const HexInertia scaled{set.mass_factor * points.density(e),
+                                longitudinal_wave_speed(mat) / Kokkos::sqrt(set.mass_factor)};
+        const bool stiffness = set.hourglass == HourglassControl::stiffness;
+        const Real coefficient = stiffness ? hourglass_stiffness(mat, set.hourglass_coefficient, volume, B)
+                                           : hourglass_damping(scaled, set.hourglass_coefficient, volume);
+        const Real rate = expansion_rate(points, e);
+        const Real own = Kokkos::min(
+            wave_step(scaled, set.viscosity_linear, set.viscosity_quadratic, characteristic_length(B), rate),
+            hourglass_step(stiffness, coefficient, scaled.density * volume));
         if (own < dt.val || (own == dt.val && e < dt.loc)) dt.val = own, dt.loc = e;
       },
       MinStep(least));

@@ -105,8 +105,8 @@ void Simulation::fall_asleep() {
 }
 
 StableStep Simulation::limit_step() {
-  const StableStep particle_limit = stable_step(model.particles, lists, model.materials, Real(mass_factor));
-  StableStep hex_limit = stable_step(model.hexes, model.materials, Real(mass_factor));
+  const StableStep particle_limit = stable_step(model.particles, lists, model.materials, particle_method);
+  StableStep hex_limit = stable_step(model.hexes, model.materials, hex_method);
   particle_step = double(particle_limit.dt);
   const bool hexes_limit =
       hex_limit.limiter >= 0 && (particle_limit.limiter < 0 || hex_limit.dt < particle_limit.dt);

@@ -2,11 +2,19 @@
 #include "support/hex_block.hpp"
 #include "support/materials.hpp"
 #include "support/particle_block.hpp"
+#include "swarf/hex8.hpp"
 #include <gtest/gtest.h>
 
 namespace swarf::test {
 
-const double wave_speed = std::sqrt((1e11 + 4.0 / 3 * 8e10) / 7800); // of elastic_steel
+const double wave_modulus = 1e11 + 4.0 / 3 * 8e10,
+             wave_speed = std::sqrt(wave_modulus / 7800); // of elastic_steel
+
+HexMethod bare_hexes(Real mass_factor) {
+  HexMethod method;
+  method.mass_factor = mass_factor;
+  return method;
+}
 
 // h sqrt(mass factor) / c of the finest particle, and how far the farthest one has moved.
 TEST(StableStep, OfTheFinestParticle) {
@@ -18,7 +26,8 @@ TEST(StableStep, OfTheFinestParticle) {
   const auto x = host_copy(b.particles.position);
   x(5, 1) += Real(3e-5), x(5, 2) -= Real(4e-5), x(9, 0) += Real(2e-5);
   Kokkos::deep_copy(b.particles.position, x);
-  const StableStep step = stable_step(b.particles, b.neighbors, b.materials, 100);
+  b.method.mass_factor = 100;
+  const StableStep step = stable_step(b.particles, b.neighbors, b.materials, b.method);
   EXPECT_NEAR(double(step.dt) / (0.7e-3 * 10 / wave_speed), 1, round_off);
   EXPECT_EQ(step.limiter, 17);
   EXPECT_NEAR(double(step.max_displacement) / 5e-5, 1, 1e3 * round_off);
@@ -30,13 +39,13 @@ TEST(StableStep, OfTheFinestParticle) {
 TEST(StableStep, OfAShearedInitialLattice) {
   ParticleBlock b = particle_block(3, 3, 3, Real(1e-3));
   build_lists(b);
-  const Real at_rest = stable_step(b.particles, b.neighbors, b.materials, 1).dt;
+  const Real at_rest = stable_step(b.particles, b.neighbors, b.materials, b.method).dt;
   b.particles.deformation_gradient = TensorField("deformation_gradient", b.particles.count);
   const auto F = host_copy(b.particles.deformation_gradient);
   const auto fill = [&](const Tensor3& to) {
     for (int i = 0; i < b.particles.count; ++i) store_tensor(F, i, to);
     Kokkos::deep_copy(b.particles.deformation_gradient, F);
-    return double(stable_step(b.particles, b.neighbors, b.materials, 1).dt / at_rest);
+    return double(stable_step(b.particles, b.neighbors, b.materials, b.method).dt / at_rest);
   };
   EXPECT_NEAR(fill(identity3()), 1, round_off);
   EXPECT_NEAR(fill({0, -1, 0, 1, 0, 0, 0, 0, 1}), 1, round_off); // turned
@@ -56,17 +65,79 @@ TEST(StableStep, OfTheThinnestHex) {
   Status status("status");
   hex_velocity_gradient(m, status);
   const MaterialTable table = make_material_table({mat});
-  const StableStep thin = stable_step(m, table, 4);
+  const StableStep thin = stable_step(m, table, bare_hexes(4));
   EXPECT_NEAR(double(thin.dt) / (0.5e-3 * 2 / wave_speed), 1, 1e2 * round_off);
   EXPECT_EQ(thin.limiter, 1);
   const auto active = host_copy(m.active);
   active(1) = 0;
   Kokkos::deep_copy(m.active, active);
-  EXPECT_NEAR(double(stable_step(m, table, 4).dt) / (2e-3 * 2 / wave_speed), 1, 1e2 * round_off);
+  EXPECT_NEAR(double(stable_step(m, table, bare_hexes(4)).dt) / (2e-3 * 2 / wave_speed), 1, 1e2 * round_off);
+}
+
+// A cube of 2 mm that shrinks at a rate of 0.3 c / l: (2 / w) (sqrt(1 + xi^2) - xi), w = 2 c / l (Belytschko,
+// Liu & Moran 2000, 6.2.6), xi = slope of q / rho c l.
+TEST(StableStep, LeavesTheBulkViscosityItsShare) {
+  const double l = 2e-3, rate = -0.3 * wave_speed / l, linear = 0.06, quadratic = 1.2;
+  HexMesh m = make_hex_block({1, 1, 1}, elastic_steel(), [&](int i, int j, int k) {
+    return Point{l * i, l * j, l * k};
+  });
+  const auto v = host_copy(m.velocity), x = host_copy(m.position);
+  for (int a = 0; a < m.nodes; ++a) v(a, 1) = Real(rate) * x(a, 1);
+  Kokkos::deep_copy(m.velocity, v);
+  Status status("status");
+  hex_velocity_gradient(m, status);
+  const MaterialTable table = make_material_table({elastic_steel()});
+  HexMethod method = bare_hexes(1);
+  const auto share = [&](double b1, double b2) {
+    method.viscosity_linear = Real(b1), method.viscosity_quadratic = Real(b2);
+    return double(stable_step(m, table, method).dt) / (l / wave_speed);
+  };
+  const auto expected = [](double xi) { return std::sqrt(1 + xi * xi) - xi; };
+  EXPECT_NEAR(share(2, 0) / expected(2), 1, 1e2 * round_off);
+  const HexInertia inertia{7800, Real(wave_speed)};
+  const auto q = [&](double at) {
+    return double(bulk_viscosity(inertia, Real(linear), Real(quadratic), Real(l), Real(at)));
+  };
+  const double slope = (q(1.01 * rate) - q(0.99 * rate)) / (0.02 * std::abs(rate)); // exact: q is quadratic
+  EXPECT_NEAR(share(linear, quadratic) / expected(slope / (7800 * wave_speed * l)), 1, 1e4 * round_off);
+  for (int a = 0; a < m.nodes; ++a) v(a, 1) *= -1;
+  Kokkos::deep_copy(m.velocity, v);
+  hex_velocity_gradient(m, status);
+  EXPECT_NEAR(share(linear, quadratic) / expected(linear), 1, 1e2 * round_off);
+}
+
+// Nodes of a cube that move against all their neighbours: power 64 k s^2 of the hourglass forces on a mass
+// rho V, from the forces themselves. Viscous: 2 / damping; stiff: 2 / frequency.
+TEST(StableStep, LeavesTheHourglassControlItsShare) {
+  const double l = 2e-3, mass = 7800 * l * l * l / 8; // of a node of a free cube
+  HexMesh m = make_hex_block({1, 1, 1}, elastic_steel(), [&](int i, int j, int k) {
+    return Point{l * i, l * j, l * k};
+  });
+  const auto v = host_copy(m.velocity), x = host_copy(m.position);
+  for (int a = 0; a < m.nodes; ++a)
+    v(a, 0) = (x(a, 0) > l / 2) == ((x(a, 1) > l / 2) == (x(a, 2) > l / 2)) ? 1 : -1;
+  Kokkos::deep_copy(m.velocity, v);
+  Status status("status");
+  hex_velocity_gradient(m, status);
+  const MaterialTable table = make_material_table({elastic_steel()});
+  for (const bool stiff : {false, true}) {
+    HexMethod method = bare_hexes(1);
+    method.hourglass = stiff ? HourglassControl::stiffness : HourglassControl::viscous;
+    method.hourglass_coefficient = 1;
+    const Real dt = Real(1e-9); // s: what a stiffness adds to its force
+    Kokkos::deep_copy(m.hourglass, Real(0));
+    hex_forces(m, table, method, dt);
+    const double force = std::abs(double(host_copy(m.corner_force)(0, 0, 0)));
+    const double expected = stiff ? 2 * std::sqrt(mass * double(dt) / force) : 2 * mass / force;
+    EXPECT_NEAR(double(stable_step(m, table, method).dt) / expected, 1, 1e3 * round_off) << stiff;
+    EXPECT_LT(expected, l / wave_speed) << stiff;
+    method.hourglass_coefficient = Real(0.1); // the shipped default limits nothing
+    EXPECT_NEAR(double(stable_step(m, table, method).dt) / (l / wave_speed), 1, 1e2 * round_off) << stiff;
+  }
 }
 
 TEST(StableStep, OfNothingLimitsNothing) {
-  EXPECT_EQ(stable_step(HexMesh{}, MaterialTable(), 1).limiter, -1);
+  EXPECT_EQ(stable_step(HexMesh{}, MaterialTable(), {}).limiter, -1);
 }
 
 } // namespace swarf::test

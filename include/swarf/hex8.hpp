@@ -200,6 +200,30 @@ SWARF_FN void store_modes(const View<Real* [4][3]>& field, int e, const HexModes
     field(e, m, 0) = h.mode[m].x, field(e, m, 1) = h.mode[m].y, field(e, m, 2) = h.mode[m].z;
 }
 
+// --- time step
+// Largest step of central differences, whose damping takes the velocity half a step back, for a mode
+// x'' = -damping x' - w2 x: there 4 - 2 dt damping - dt^2 w2 = 0. With w and its share of critical damping
+// xi = damping / 2 w it is (2 / w) (sqrt(1 + xi^2) - xi) (Belytschko, Liu & Moran 2000). Either may be zero.
+SWARF_FN Real damped_step(Real w2, Real damping) {
+  return Real(4) / (damping + Kokkos::sqrt(damping * damping + Real(4) * w2));
+}
+
+// Of the waves of a hex, the fastest of which is 2 c / l, damped by the slope of q: xi = b1 + 2 b2^2 (l / c)
+// |rate|. It meets the next compression, so b1 counts in expansion too. (Manuals take the secant q / rate,
+// half of the quadratic share, which is enough for a rate that alternates about zero, not about a shock's.)
+SWARF_FN Real wave_step(const HexInertia& scaled, Real linear, Real quadratic, Real length, Real rate) {
+  const Real w = Real(2) * scaled.wave_speed / length;
+  const Real xi = linear + Real(4) * quadratic * quadratic * Kokkos::max(-rate, Real(0)) / w;
+  return damped_step(w * w, Real(2) * xi * w);
+}
+
+// Of the hourglass mode of all hexes of a mesh: sum_a gamma_a h_a = 8, and a node of mass rho V meets 8
+// hexes.
+SWARF_FN Real hourglass_step(bool stiffness, Real coefficient, Real scaled_mass) {
+  const Real eigenvalue = Real(64) * coefficient / scaled_mass;
+  return stiffness ? damped_step(eigenvalue, 0) : damped_step(0, eigenvalue);
+}
+
 // --- forces
 // f_a = -(V sigma . B_a + sum_m gamma_a^m Q^m) = -((V sigma - sum_m Q^m x^m) . B_a + sum_m h_a^m Q^m), N.
 SWARF_FN HexVectors corner_forces(const Symmetric3& volume_stress, const HexVectors& B, const HexModes& x,

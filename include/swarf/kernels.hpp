@@ -139,8 +139,8 @@ struct StableStep {
   int limiter = -1;
   Real max_displacement = 0; // since the lists were built, m
 };
-StableStep stable_step(const Particles&, const Neighbors&, const MaterialTable&, Real mass_factor);
-StableStep stable_step(const HexMesh&, const MaterialTable&, Real mass_factor);
+StableStep stable_step(const Particles&, const Neighbors&, const MaterialTable&, const ParticleMethod&);
+StableStep stable_step(const HexMesh&, const MaterialTable&, const HexMethod&);
 Real stable_heat_step(const Particles&, const MaterialTable&); // s; infinite without conduction
 Real stable_heat_step(const HexMesh&, const MaterialTable&);
 
