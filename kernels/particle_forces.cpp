@@ -73,8 +73,10 @@ struct PairSpring {
   Pack end, mean; // Pa, at the end of the step; the mean over it, whose work is that of the forces
 };
 
-// Resists what no gradient sees: differences of hourglass_displacement, which lacks what this step adds to
-// it; in the initial frame elongations that F does not explain (Ganzenmueller 2015).
+// Resists what no gradient sees: differences of hourglass_displacement; in the initial frame elongations that
+// F does not explain (Ganzenmueller 2015). The displacement lacks what this step adds to it, at most twice
+// the pair's own motion (planes of a lattice that move against each other, evolve_hourglass.cpp). That much
+// is added: a spring that lags makes energy at every step, a hasty one damps.
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION PairSpring pair_spring(const Cluster& i, const Particles& p, int j,
                                                    const Vector3Of<Pack>& x_ij, const Vector3Of<Pack>& X_ij,
@@ -88,7 +90,8 @@ KOKKOS_FORCEINLINE_FUNCTION PairSpring pair_spring(const Cluster& i, const Parti
     const Pack stiffness = modulus / (dot(X_ij, X_ij) + Pack(Real(0.01)) / (inverse_h * inverse_h));
     return {stiffness * stretch, stiffness * (stretch - half * grown)};
   } else {
-    const Pack stretch = dot(x_ij, i.d - broadcast_vector(p.hourglass_displacement, j)) + grown;
+    const Pack stretch =
+        dot(x_ij, i.d - broadcast_vector(p.hourglass_displacement, j)) + Pack(Real(2)) * grown;
     const Pack stiffness = modulus * q.per_area;
     return {stiffness * stretch, stiffness * (stretch - half * grown)};
   }
