@@ -64,7 +64,9 @@ void Display::start_server() {
     dup2(null, 0), dup2(null, 1), dup2(null, 2);
     dup2(ends[1], 3); // clears close-on-exec
     if (ends[1] == 3) fcntl(3, F_SETFD, 0);
-    execlp("Xvfb", "Xvfb", "-displayfd", "3", "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
+    // A server without clients starts anew unless told not to, and turns away who comes then: we do, after
+    // can_connect() has gone.
+    execlp("Xvfb", "Xvfb", "-displayfd", "3", "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset",
            static_cast<char*>(nullptr));
     _exit(127);
   }
