@@ -39,15 +39,15 @@ KeyedRows sort_rows(const VectorField& position, const SeenRows& seen, const Key
   return sorted;
 }
 
-// Of x from the nearest of the points; 0 where there are none, so that all move.
-SWARF_FN Real distance_to(const VectorField& points, const Vector3& x) {
-  const int rows = int(points.extent(0));
+// No more than from x to the action in the nearest of the cells; 0 where there are none, so that all move.
+SWARF_FN Real distance_to(const VectorField& cells, Real cell_size, const Vector3& x) {
+  const int rows = int(cells.extent(0));
   Real least = rows > 0 ? Kokkos::Experimental::infinity_v<Real> : Real(0);
   for (int k = 0; k < rows; ++k) {
-    const Vector3 d = x - load_vector(points, k);
+    const Vector3 d = x - load_vector(cells, k);
     least = Kokkos::min(least, dot(d, d));
   }
-  return Kokkos::sqrt(least);
+  return Kokkos::max(Kokkos::sqrt(least) - Real(0.5) * Kokkos::sqrt(Real(3)) * cell_size, Real(0));
 }
 
 // Row i becomes what row from(i).row was.

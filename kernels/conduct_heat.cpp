@@ -61,7 +61,7 @@ KOKKOS_INLINE_FUNCTION Pack sum_heat(const Particles& p, const Neighbors& n, int
 
 void conduct_heat(const Particles& p, const Neighbors& n, const ImagePlanes& planes,
                   const MaterialTable& materials, Real dt) {
-  if (p.count == 0) return;
+  if (p.count + p.tied == 0) return;
   prepare_heat_state(p, materials);
   copy_to_images(p, n, planes);
   const MaterialPoints points = p.points;

@@ -1,6 +1,6 @@
-// Where the action is: points that the tool comes near to, and points that move faster than sleep.speed, one
-// for each cell of a grid that holds any. Periodic images of them count as well. Reads positions and
-// velocities of all stored particles and of the nodes.
+// Where the action is: the middle of each cell that holds a point which the tool comes near to, or which is
+// at least as fast as sleep.speed. Reads positions and velocities of all stored particles and of the nodes.
+// with_images: these points and their images across periodic and mirror planes.
 #include "cell_order.hpp"
 #include "swarf/signed_distance.hpp"
 
@@ -14,7 +14,7 @@ struct Watch {
 };
 
 SWARF_FN bool acts(const Watch& w, const Vector3& x, const Vector3& v) {
-  if (dot(v, v) > w.speed2) return true;
+  if (dot(v, v) >= w.speed2) return true;
   if (w.tool.facets == 0) return false;
   return signed_distance(w.tool, to_tool(w.frame, x)).where != ToolDistance::Where::outside;
 }
@@ -23,11 +23,14 @@ SWARF_FN bool acts(const Watch& w, const Vector3& x, const Vector3& v) {
 int append_action(const VectorField& position, const VectorField& velocity, int rows, const Watch& w,
                   VectorField& found, int first) {
   const IndexField place("find_action_place", rows);
+  Kokkos::parallel_for(
+      "find_action", Range(0, rows), KOKKOS_LAMBDA(int i) {
+        place(i) = acts(w, load_vector(position, i), load_vector(velocity, i)) ? 1 : 0;
+      });
   int more = 0;
   Kokkos::parallel_scan(
       "find_action", Range(0, rows),
       KOKKOS_LAMBDA(int i, int& sum, bool last) {
-        if (!last) place(i) = acts(w, load_vector(position, i), load_vector(velocity, i)) ? 1 : 0;
         const int own = place(i);
         if (last) place(i) = own ? sum : -1;
         sum += own;
@@ -47,16 +50,29 @@ struct CellOf {
   SWARF_FN CellKey operator()(const Vector3& x) const { return row_key(grid.index(x)); }
 };
 
-// The first point of each cell.
+// A grid that does not move with what it holds.
+CellGrid fixed_grid(const VectorField& points, int rows, Real cell) {
+  CellGrid grid = cell_grid(points, rows, cell);
+  for (Real* x : {&grid.origin.x, &grid.origin.y, &grid.origin.z}) *x = cell * Kokkos::floor(*x / cell);
+  return grid;
+}
+
+// The middles of the cells that hold a point.
 VectorField thin_out(const VectorField& points, int rows, Real cell) {
-  const KeyedRows sorted = sort_rows(points, first_rows(rows), CellOf{cell_grid(points, rows, cell)});
+  if (rows == 0) return VectorField("action", 0);
+  const CellGrid grid = fixed_grid(points, rows, cell);
+  const KeyedRows sorted = sort_rows(points, first_rows(rows), CellOf{grid});
   VectorField kept("action", rows);
   int count = 0;
   Kokkos::parallel_scan(
       "thin_out", Range(0, rows),
       KOKKOS_LAMBDA(int k, int& sum, bool last) {
         const bool first = k == 0 || sorted(k).key != sorted(k - 1).key;
-        if (last && first) store_vector(kept, sum, load_vector(points, sorted(k).row));
+        if (last && first) {
+          const CellIndex c = grid.index(load_vector(points, sorted(k).row));
+          const Vector3 middle{Real(c.i) + Real(0.5), Real(c.j) + Real(0.5), Real(c.k) + Real(0.5)};
+          store_vector(kept, sum, grid.origin + cell * middle);
+        }
         sum += first ? 1 : 0;
       },
       count);
@@ -64,31 +80,28 @@ VectorField thin_out(const VectorField& points, int rows, Real cell) {
   return kept;
 }
 
-VectorField with_images(const VectorField& points, const ImagePlanes& planes) {
-  const int own = int(points.extent(0));
-  VectorField all = points;
-  for (const ImagePlane& plane : planes) {
-    if (!plane.active) continue;
-    const int first = int(all.extent(0));
-    ensure_rows(all, std::size_t(first + own));
-    const VectorField to = all;
-    const Transform map = plane.to_image;
-    Kokkos::parallel_for(
-        "find_action", Range(0, own),
-        KOKKOS_LAMBDA(int i) { store_vector(to, first + i, apply(map, load_vector(points, i))); });
-  }
-  return all;
-}
-
 } // namespace
 
-VectorField find_action(const Particles& p, const HexMesh& m, const Tool& tool, const ToolPose& pose,
-                        const ImagePlanes& planes, const Sleep& sleep) {
-  const Watch watch{tool, make_frame(pose), sleep.speed * sleep.speed};
+VectorField find_action(const Particles& p, const HexMesh& m, const ToolAt& at, const Sleep& sleep) {
+  const Watch watch{at.tool, make_frame(at.pose), sleep.speed * sleep.speed};
   VectorField found("action", 0);
   int rows = append_action(p.position, p.velocity, p.stored, watch, found, 0);
   rows = append_action(m.position, m.velocity, m.nodes, watch, found, rows);
-  return with_images(thin_out(found, rows, sleep.cell), planes);
+  return thin_out(found, rows, sleep.cell);
+}
+
+VectorField with_images(const VectorField& points, const std::vector<Transform>& maps) {
+  const int own = int(points.extent(0));
+  const VectorField all("action", own * (1 + int(maps.size())));
+  Kokkos::deep_copy(Kokkos::subview(all, std::make_pair(0, own), Kokkos::ALL), points);
+  for (int k = 0; k < int(maps.size()); ++k) {
+    const int first = own * (k + 1);
+    const Transform map = maps[std::size_t(k)];
+    Kokkos::parallel_for(
+        "with_images", Range(0, own),
+        KOKKOS_LAMBDA(int i) { store_vector(all, first + i, apply(map, load_vector(points, i))); });
+  }
+  return all;
 }
 
 } // namespace swarf

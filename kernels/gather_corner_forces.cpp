@@ -7,7 +7,7 @@ namespace swarf {
 void gather_corner_forces(const HexMesh& m) {
   Kokkos::parallel_for(
       "gather_corner_forces", Range(0, m.nodes), KOKKOS_LAMBDA(const int a) {
-        if (m.constraints(a) & held_bit) return;
+        if (m.constraints(a) & held_bit) return store_vector(m.force, a, {0, 0, 0});
         Vector3 sum{0, 0, 0};
         for (int k = m.corner_start(a); k < m.corner_start(a + 1); ++k) {
           const int e = m.corner_of_node(k) / 8, corner = m.corner_of_node(k) % 8;

@@ -15,14 +15,17 @@ SWARF_FN Real host_temperature(const Tie& tie, const HexMesh& m, int k) {
   return sum;
 }
 
-// Adds what has heated tied particle k itself since the last call.
+// Adds what has heated tied particle k itself since the last call; to one that sleeps conduction brought
+// nothing.
 void take_own_heat(const Tie& tie, const Particles& p, const HexMesh& m, const MaterialTable& materials) {
   const MaterialPoints points = p.points;
+  const int awake = p.count + p.tied;
   Kokkos::parallel_for(
-      "take_own_heat", Range(p.count, p.count + p.tied), KOKKOS_LAMBDA(int i) {
-        const int k = p.identity(i) - p.whole;
-        p.heat(i) += heat_capacity(materials(points.material(i)), points.mass(i)) *
-                     (points.temperature(i) - host_temperature(tie, m, k));
+      "take_own_heat", Range(0, tie.count), KOKKOS_LAMBDA(int k) {
+        const int i = tie.row(k);
+        const Real conducted = i < awake ? p.heat(i) : Real(0);
+        p.heat(i) = conducted + heat_capacity(materials(points.material(i)), points.mass(i)) *
+                                    (points.temperature(i) - host_temperature(tie, m, k));
       });
 }
 
@@ -60,15 +63,14 @@ void spread_temperature(const Tie& tie, const Particles& p, const HexMesh& m) {
       KOKKOS_LAMBDA(int a) { m.nodal_temperature(a) += m.nodal_heat(a) / m.heat_capacity(a); });
   Kokkos::parallel_for(
       "spread_temperature", Range(0, m.points.count), KOKKOS_LAMBDA(int e) {
-        if (m.active(e) == hex_asleep) return;
         Real sum = 0;
         for (int a = 0; a < 8; ++a) sum += m.nodal_temperature(m.connectivity(e, a));
         m.points.temperature(e) = Real(0.125) * sum;
       });
   const ScalarField temperature = p.points.temperature;
   Kokkos::parallel_for(
-      "spread_to_tied", Range(p.count, p.count + p.tied),
-      KOKKOS_LAMBDA(int i) { temperature(i) = host_temperature(tie, m, p.identity(i) - p.whole); });
+      "spread_to_tied", Range(0, tie.count),
+      KOKKOS_LAMBDA(int k) { temperature(tie.row(k)) = host_temperature(tie, m, k); });
 }
 
 } // namespace swarf

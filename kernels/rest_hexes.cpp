@@ -9,7 +9,7 @@ namespace {
 void hold_nodes(const HexMesh& m, const VectorField& action, const Sleep& s) {
   Kokkos::parallel_for(
       "hold_nodes", Range(0, m.nodes), KOKKOS_LAMBDA(int a) {
-        const Real d = distance_to(action, load_vector(m.position, a));
+        const Real d = distance_to(action, s.cell, load_vector(m.position, a));
         m.damping(a) = damping_at(s, d);
         m.constraints(a) = (m.constraints(a) & ~held_bit) | (d <= s.distance ? 0u : held_bit);
       });
@@ -56,11 +56,11 @@ void rest(const HexMesh& m) {
 
 } // namespace
 
-void rest_hexes(const HexMesh& m, const TransformTable& transforms, const VectorField& action, const Sleep& s,
-                Real mass_factor) {
+void rest_hexes(const HexMesh& m, const TransformTable& transforms, const VectorField& action,
+                const Sleep& s) {
   hold_nodes(m, action, s);
   free_pairs(m, int(transforms.extent(0)));
-  stop_held(m, mass_factor);
+  stop_held(m, s.mass_factor);
   rest(m);
 }
 

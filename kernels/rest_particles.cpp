@@ -15,25 +15,26 @@ SWARF_FN void stop_particle(const Particles& p, int i, Real mass_factor) {
   store_vector(p.velocity, i, {0, 0, 0});
 }
 
-// A sleeping row shows its neighbours no motion.
+// A sleeping row shows its neighbours no motion, and is an insulator to them.
 SWARF_FN void still(const Particles& p, int i) {
   store_tensor(p.points.velocity_gradient, i, Tensor3{});
   store_symmetric(p.strain_rate, i, Symmetric3{});
   store_vector(p.velocity, i, {0, 0, 0});
   if (p.hourglass_rate.extent(0) > 0) store_vector(p.hourglass_rate, i, {0, 0, 0});
+  if (p.heat_state.extent(0) > 0) p.heat_state(i, 1) = 0;
   p.points.plastic_strain_rate(i) = 0;
 }
 
-KeyedRows rank_rows(const Particles& p, const VectorField& action, const Sleep& s, Real mass_factor) {
+KeyedRows rank_rows(const Particles& p, const VectorField& action, const Sleep& s) {
   const KeyedRows order(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_order"), p.stored);
   Kokkos::parallel_for(
       "rest_particles", Range(0, p.stored), KOKKOS_LAMBDA(int i) {
-        const Real d = distance_to(action, load_vector(p.position, i));
+        const Real d = distance_to(action, s.cell, load_vector(p.position, i));
         const bool tied = p.identity(i) >= p.whole;
         const bool moves = d <= s.distance, is_awake = d <= s.distance + s.margin;
         p.damping(i) = damping_at(s, d);
         p.constraints(i) = (p.constraints(i) & ~held_bit) | (moves || tied ? 0u : held_bit);
-        if (!moves && !tied) stop_particle(p, i, mass_factor);
+        if (!moves && !tied) stop_particle(p, i, s.mass_factor);
         if (!is_awake) still(p, i);
         const Rank rank =
             is_awake ? (tied ? awake_tied : awake) : (d <= s.distance + s.margin + s.reach ? listed : far);
@@ -54,9 +55,8 @@ int rows_before(const KeyedRows& order, Rank rank) {
 
 } // namespace
 
-void rest_particles(Particles& p, const Tie& tie, const VectorField& action, const Sleep& s,
-                    Real mass_factor) {
-  const KeyedRows order = rank_rows(p, action, s, mass_factor);
+void rest_particles(Particles& p, const Tie& tie, const VectorField& action, const Sleep& s) {
+  const KeyedRows order = rank_rows(p, action, s);
   p.for_each_field([&](const char*, auto& field) { permute(field, order); });
   p.for_each_pair_field([&](const char*, auto& field) { permute(field, order); });
   p.count = rows_before(order, awake_tied);

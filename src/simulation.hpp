@@ -64,7 +64,7 @@ class Simulation {
   Sleep sleep_of() const;
   void rest(); // decides what sleeps
   void fall_asleep();
-  void plan_rest();
+  void plan_rest(double speed);
   void fade_waves(); // where sleep begins
   StableStep limit_step();
   void check_status();                           // throws SimulationFault
@@ -96,8 +96,8 @@ class Simulation {
   bool lists_due = false, rest_due = false;
   double rested_at = 0; // s
   double moved_particles = 0;
-  double initial_energy = 0, driving_speed = 0;
-  double elastic_scale = 0; // J
+  double initial_energy = 0, driving_speed = 0, slowest_drive = 0; // m/s
+  double elastic_scale = 0;                                        // J
   double tool_work = 0;
   std::string step_limiter;
 };

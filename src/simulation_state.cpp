@@ -1,8 +1,10 @@
 // Everything about a Simulation that is not the step: construction, checks, samples, checkpoints.
 #include "src/simulation.hpp"
 #include "src/write_hdf5.hpp"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace swarf {
 namespace {
@@ -48,18 +50,29 @@ Field first_rows(const Field& field, int rows) {
   return copy;
 }
 
+double length(const Triple& v) { return std::hypot(v[0], v[1], v[2]); }
+
 // Of tool and held faces: what a scene at rest will soon move at.
-double driving_speed_of(const Deck& deck, const Scene& scene) {
-  const auto length = [](const Triple& v) { return std::hypot(v[0], v[1], v[2]); };
-  double speed = 0;
+std::vector<double> driving_speeds_of(const Deck& deck, const Scene& scene) {
+  std::vector<double> speeds;
   for (const BodyDeck& body : deck.bodies)
-    for (const FaceDeck& face : body.faces) speed = std::max(speed, length(face.velocity));
-  if (!deck.tool) return speed;
+    for (const FaceDeck& face : body.faces) speeds.push_back(length(face.velocity));
+  if (!deck.tool) return speeds;
   const ToolPose pose = tool_pose(*deck.tool, 0);
   double radius = 0;
   for (const auto& facet : scene.tool_facets)
     for (const Triple& corner : facet) radius = std::max(radius, std::hypot(corner[0], corner[1]));
-  return std::max(speed, double(norm(pose.velocity)) + std::abs(double(pose.angular_velocity)) * radius);
+  speeds.push_back(double(norm(pose.velocity)) + std::abs(double(pose.angular_velocity)) * radius);
+  return speeds;
+}
+
+// Of all that is meant to move, bodies at their first velocity among it.
+double slowest_of(const Deck& deck, std::vector<double> speeds) {
+  for (const BodyDeck& body : deck.bodies) speeds.push_back(length(body.velocity));
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const double speed : speeds)
+    if (speed > 0) slowest = std::min(slowest, speed);
+  return speeds.empty() || std::isinf(slowest) ? 0 : slowest;
 }
 
 } // namespace
@@ -68,7 +81,9 @@ Simulation::Simulation(const Deck& from)
     : deck(from), model(build_scene(from)), particle_method(particle_method_of(from)),
       hex_method(hex_method_of(from)), gravity(to_vector(from.run.gravity)), status("status"),
       hex_status("hex_status"), conducts(conducts_heat(from)), mass_factor(from.run.mass_factor) {
-  driving_speed = driving_speed_of(deck, model);
+  const std::vector<double> drives = driving_speeds_of(deck, model);
+  driving_speed = drives.empty() ? 0 : *std::max_element(drives.begin(), drives.end());
+  slowest_drive = slowest_of(deck, drives);
   elastic_scale = elastic_scale_of(model.particles.points, model.materials) +
                   elastic_scale_of(model.hexes.points, model.materials);
   contact_law.friction = Real(deck.contact.friction);
@@ -91,12 +106,14 @@ void Simulation::start() {
   steps = steps_at_sample = 0;
   check();
   contact_law.reference_step = Real(step_size); // the penalty stays as it is when the step changes
-  initial_energy = double(of_particles.kinetic) + of_hexes.kinetic;
+  // Less what was given up by points that fell asleep at once.
+  initial_energy =
+      double(of_particles.kinetic) + of_hexes.kinetic - of_particles.external - of_hexes.external;
 }
 
 // What sleeps shows its neighbours what the forces have just prepared.
 void Simulation::fall_asleep() {
-  if (conducts) conduct_heat(model.particles, lists, model.image_planes, model.materials, 0);
+  kick_half(); // over no time: driven faces take up their speed, and stay awake
   rest();
   rebuild_lists();
   follow_hexes_and_images();
@@ -137,7 +154,7 @@ void Simulation::check() {
   if (lists_age && reach * interval > 0.5 * whole) interval = std::max(1L, long(0.5 * whole / reach));
   lists_due = lists_age && room < reach * double(interval);
   next_check = steps + interval;
-  plan_rest();
+  plan_rest(speed);
   timer.mark("checks");
 }
 

@@ -40,7 +40,7 @@ struct HexMethod {
 using ImagePlanes = std::vector<ImagePlane>; // on the host: a launch for each plane
 void wrap_periodic(const Particles&, const ImagePlanes&, const Status&); // back through the partner plane
 void sort_particles(Particles&, Real cell_size);              // rows [0, count) along a Hilbert curve
-void make_images(Particles&, Neighbors&, const ImagePlanes&); // rows [count + tied, total)
+void make_images(Particles&, Neighbors&, const ImagePlanes&); // rows [stored, total)
 void find_neighbors(Neighbors&, const Particles&);            // clusters and their lists
 void update_images(const Particles&, const Neighbors&, const ImagePlanes&);      // position, velocity
 void update_image_state(const Particles&, const Neighbors&, const ImagePlanes&); // what the force sum needs
@@ -88,12 +88,14 @@ void gather_heat(const Tie&, const Particles&, const HexMesh&, const MaterialTab
 void spread_temperature(const Tie&, const Particles&, const HexMesh&); // of nodes, hexes, tied particles
 
 // --- sleep
-// Points [n] that the tool comes near to or that move fast.
-VectorField find_action(const Particles&, const HexMesh&, const Tool&, const ToolPose&, const ImagePlanes&,
-                        const Sleep&);
-void rest_particles(Particles&, const Tie&, const VectorField& action, const Sleep&, Real mass_factor);
-void rest_hexes(const HexMesh&, const TransformTable&, const VectorField& action, const Sleep&,
-                Real mass_factor);
+struct ToolAt { // 0 facets: no tool
+  const Tool& tool;
+  ToolPose pose;
+};
+VectorField find_action(const Particles&, const HexMesh&, const ToolAt&, const Sleep&); // points [n]
+VectorField with_images(const VectorField& action, const std::vector<Transform>&);
+void rest_particles(Particles&, const Tie&, const VectorField& action, const Sleep&);
+void rest_hexes(const HexMesh&, const TransformTable&, const VectorField& action, const Sleep&);
 void find_tied_rows(const Tie&, const Particles&); // tie.row
 
 // --- time

@@ -1,4 +1,5 @@
-// Points far from the action sleep: they keep their state and take no part in the step.
+// Points far from the action sleep: they keep their state and take no part in the step. They insulate against
+// heat; diffuse_pressure sees them as they fell asleep.
 #pragma once
 #include "swarf/tensor.hpp"
 
@@ -16,8 +17,9 @@ struct Sleep {
   Real distance = 0, margin = 0, reach = 0;
   Real ramp = 0;
   Real damping = 0; // 1/s at d = distance
-  Real speed = 0;   // m/s: what is faster is part of the action
-  Real cell = 0;    // one point of the action is kept per cell of this size
+  Real speed = 0;   // m/s: what is as fast is part of the action
+  Real cell = 0;    // the action is known to cells of this size; d is at most their diagonal too short
+  Real mass_factor = 1;
 };
 
 // Bit of Particles::constraints and HexMesh::constraints: the point is held at velocity 0.
