@@ -127,6 +127,27 @@ def summarize(windows, found):
     return lines + [cost + "."]
 
 
+def whole_runs(found, first):
+    """All that the windows have cut after `first` degrees of turning, against the whole pass at the same angles."""
+    bins = found["whole"]["bins"]
+    of_whole = dict(zip(bins["immersion"], planar(bins)))
+    sums = []
+    for windows in found["windows"]:
+        for one in windows["windows"]:
+            pairs = [(force, of_whole[angle]) for angle, force in zip(one["bins"]["immersion"], planar(one["bins"]))
+                     if angle in of_whole and angle - one["start"] > first]
+            if pairs:
+                sums.append(numpy.sum(pairs, axis=0))
+    sums = numpy.array(sums)
+    if len(sums) < 3:
+        return []
+    ratio = sums[:, 0].sum() / sums[:, 1].sum()
+    error = (sums[:, 0] - ratio * sums[:, 1]).std(ddof=1) * math.sqrt(len(sums)) / sums[:, 1].sum()
+    return [f"- All that the {len(sums)} windows of both sets have cut where the whole pass has been, {first} deg after "
+            f"their start and later, run-in or not: the mean force differs by {percent(ratio - 1)}, standard error "
+            f"{100 * error:.1f} %."]
+
+
 def between(found):
     """How far two windows at the same place differ that begin at different places: both see the same pass."""
     first, second = ({one["immersion"]: one["force_planar"] for one in windows["windows"]}
@@ -153,7 +174,7 @@ def write_page(found):
              "it has settled, the run-in is long enough.", ""]
     for windows in found["windows"]:
         lines += summarize(windows, found)
-    lines += between(found) + [""]
+    lines += whole_runs(found, 2) + between(found) + [""]
     for windows in found["windows"]:
         lines += [f"## Windows of {windows['width']} deg after {windows['run_in']} deg of run-in", "",
                   *write_table(windows), ""]

@@ -51,11 +51,11 @@ TEST(WindowFaults, places) {
   EXPECT_THAT(
       fault_of(with_windows("first = \"60 deg\"\nlast = \"60 deg\"\n")),
       HasSubstr(
-          "windows.first: the window at 60 deg is measured from 58 to 62 deg, before tool.start_angle"));
+          "windows.first: the window at 60 deg is measured from 57 to 63 deg, before tool.start_angle"));
   EXPECT_THAT(fault_of(with_windows("first = \"94 deg\"\nlast = \"94 deg\"\n")),
-              HasSubstr("windows.last: the window at 94 deg is measured from 92 to 96 deg, past 95 deg"));
+              HasSubstr("windows.last: the window at 94 deg is measured from 91 to 97 deg, past 95 deg"));
   EXPECT_THAT(
-      fault_of(with_windows("first = \"68 deg\"\nlast = \"68 deg\"\n")),
+      fault_of(with_windows("first = \"69 deg\"\nlast = \"69 deg\"\n")),
       HasSubstr(
           "body \"cut zone\" of line 15 has no material there: it lies at immersions from 70 to 100 deg"));
   EXPECT_THAT(fault_of(with_windows("first = \"10 deg\"\nlast = \"170 deg\"\nstep = \"0.1 deg\"\n")),
