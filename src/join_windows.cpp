@@ -67,8 +67,8 @@ MeanForce measure_force(const HistoryTable& history, double from, double to) {
   MeanForce force;
   force.mean = mean_of(samples, 0, 1);
   force.mean[3] = std::hypot(force.mean[0], force.mean[1]);
-  if (force.mean[3] >
-      0) // each sample along the mean: lengths of noisy vectors would count the noise as force
+  // Each sample along the mean: lengths of noisy vectors would count the noise as force.
+  if (force.mean[3] > 0)
     for (Sample& s : samples)
       s.force[3] = (s.force[0] * force.mean[0] + s.force[1] * force.mean[1]) / force.mean[3];
   force.error.fill(std::numeric_limits<double>::quiet_NaN());
@@ -78,6 +78,19 @@ MeanForce measure_force(const HistoryTable& history, double from, double to) {
       if (!(force.error[c] > error[c]) && !std::isnan(error[c])) force.error[c] = error[c];
   }
   return force;
+}
+
+double scatter_between(const std::vector<double>& immersion, const std::vector<double>& force) {
+  double squares = 0;
+  int count = 0;
+  for (std::size_t k = 1; k + 1 < force.size(); ++k) {
+    const double step = immersion[k] - immersion[k - 1], next = immersion[k + 1] - immersion[k];
+    if (std::abs(next - step) > 1e-6 * step) continue; // one is missing
+    const double c = std::cos(step * degree);          // a sine drops out of the difference
+    squares += std::pow(force[k - 1] - 2 * c * force[k] + force[k + 1], 2) / (2 + 4 * c * c);
+    ++count;
+  }
+  return count < 3 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(squares / count);
 }
 
 double predict_whole_pass(const Deck& whole, const std::vector<WindowResult>& results) {
@@ -94,6 +107,7 @@ void write_windows(const PassFolder& folder, const Deck& whole, const std::vecto
   Json windows;
   std::string unfinished;
   double core_seconds = 0;
+  std::vector<double> immersion, force;
   for (const WindowResult& r : results) {
     core_seconds += r.core_seconds;
     Json one;
@@ -102,6 +116,7 @@ void write_windows(const PassFolder& folder, const Deck& whole, const std::vecto
       const auto &mean = r.force.mean, &error = r.force.error;
       table += fmt::format("{},{},{},{}\n", r.window.centre / degree, fmt::join(mean, ","),
                            fmt::join(error, ","), fmt::format("{},{}", r.window.uncut_chip, r.core_seconds));
+      immersion.push_back(r.window.centre / degree), force.push_back(mean[3]);
       one.set("force_planar", mean[3]).set("error_planar", error[3]).set("uncut_chip", r.window.uncut_chip);
     } else {
       unfinished += (unfinished.empty() ? "" : ", ") + r.window.name;
@@ -112,7 +127,7 @@ void write_windows(const PassFolder& folder, const Deck& whole, const std::vecto
   summary.set("title", whole.title).set("unfinished", unfinished);
   summary.set("core_seconds", core_seconds).set("wall_seconds_of_last_call", wall_seconds);
   summary.set("predicted_core_seconds_of_whole_pass", predict_whole_pass(whole, results));
-  summary.set("windows", windows);
+  summary.set("scatter_between_windows", scatter_between(immersion, force)).set("windows", windows);
   write_file(folder.table(), table);
   write_file(folder.summary(), summary.text() + "\n");
 }

@@ -33,6 +33,11 @@ struct PassFolder {
   std::filesystem::path picture() const { return path / "windows.png"; }
 };
 
+// Standard deviation of single windows about a sine of the immersion (deg): what their own errors do not see,
+// swings longer than a measurement. From each three evenly spaced neighbours; NaN with fewer than five
+// windows. A part that does not follow a sine counts as scatter, 2 - 2 cos(step) of it.
+double scatter_between(const std::vector<double>& immersion, const std::vector<double>& force);
+
 // windows.csv (complete ones only) and windows.json.
 void write_windows(const PassFolder& folder, const Deck& whole, const std::vector<WindowResult>& results,
                    double wall_seconds);

@@ -14,8 +14,8 @@ void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
 // The energy ledger over the same axis: where the external work went, and the residual.
 void plot_energies(const ResultsFolder& results, const std::filesystem::path& png);
 
-// Force over immersion from windows.csv, with bars of one standard error. Needs a Display. Throws
-// ResultsError.
+// Force over immersion from windows.csv, with bars of one standard error, own or of the scatter between
+// windows. Needs a Display. Throws ResultsError.
 void plot_windows(const PassFolder& folder, const std::vector<LabelledForce>& published);
 
 } // namespace swarf

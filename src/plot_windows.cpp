@@ -7,7 +7,7 @@
 namespace swarf {
 namespace {
 
-// A bar of one standard error up and down, with its ends.
+// A bar of one standard error, the window's own or that of the scatter between them, whichever is more.
 void add_bar(Chart& chart, double x, double y, double error, const Curve& style, double half_width) {
   if (!(error > 0)) return; // NaN: unknown
   const auto line = [&](std::vector<double> xs, std::vector<double> ys) {
@@ -44,8 +44,12 @@ void plot_windows(const PassFolder& folder, const std::vector<LabelledForce>& pu
     points.line = vtkPen::NO_PEN, points.label.clear();
     chart.add(angle, points);
     curves[c].width *= 0.6f, chart.add(angle, curves[c]);
-    for (std::size_t k = 0; k < angle.size(); ++k)
-      add_bar(chart, angle[k], points.values[k], table.at(errors[c])[k], points, 0.006 * (right - left));
+    const double scatter = scatter_between(angle, points.values);
+    for (std::size_t k = 0; k < angle.size(); ++k) {
+      const double own = table.at(errors[c])[k];
+      add_bar(chart, angle[k], points.values[k], scatter > own ? scatter : own, points,
+              0.006 * (right - left));
+    }
   }
   const auto [least, most] = vertical_range(curves, levels);
   chart.set_range(vtkAxis::LEFT, least, most);

@@ -175,17 +175,21 @@ class WindowsRun {
   void report() const {
     double core_seconds = 0;
     std::string unfinished;
+    std::vector<double> immersion, force;
     fmt::print(
         "\nimmersion [deg]  uncut chip [um]  planar force [N]      F_x       F_y       F_z  core-seconds\n");
     for (const WindowResult& r : results) {
       core_seconds += r.core_seconds;
       const auto& m = r.force.mean;
+      if (r.is_complete()) immersion.push_back(degrees(r)), force.push_back(m[3]);
       if (r.is_complete())
         fmt::print("{:15.6g}  {:15.2f}  {:8.3f} +- {:.3f}  {:8.3f}  {:8.3f}  {:8.3f}  {:12.1f}\n", degrees(r),
                    1e6 * r.window.uncut_chip, m[3], r.force.error[3], m[0], m[1], m[2], r.core_seconds);
       else
         unfinished += fmt::format("  {:.6g} deg: {}\n", degrees(r), r.ended);
     }
+    if (const double scatter = scatter_between(immersion, force); !std::isnan(scatter))
+      fmt::print("windows scatter by {:.3f} N about a sine: an error of each besides its own\n", scatter);
     fmt::print("{:.0f} core-seconds; the whole pass is predicted to take {:.0f}\nresults: {}\n", core_seconds,
                predict_whole_pass(whole, results), folder.table().string());
     if (unfinished.empty()) return;

@@ -68,7 +68,7 @@ def draw(found):
     for windows, colour, marker in zip(found["windows"], COLOURS, MARKERS):
         rows = windows["windows"]
         curve.errorbar([one["immersion"] for one in rows], [one["force_planar"] for one in rows],
-                       yerr=[one["error_planar"] for one in rows], color=colour, marker=marker, linestyle="none",
+                       yerr=[max(one["error_planar"], windows["scatter"]) for one in rows], color=colour, marker=marker, linestyle="none",
                        capsize=3, label=f"windows of {width}° after {windows['run_in']}° of run-in")
         ratio = ratio_since_entry(windows, bins)
         if len(ratio):
@@ -117,7 +117,11 @@ def summarize(windows, found):
                      f"angles by {percent(ratio - 1)}, with a standard error of {100 * error:.1f} % from the scatter "
                      f"of the windows. Single windows differ by {100 * math.sqrt((difference ** 2).mean()):.0f} % "
                      f"(root mean square), the largest by {percent(difference[abs(difference).argmax()])}; their own "
-                     f"standard errors are {100 * (forces[2] / forces[0]).mean():.0f} % on the mean.")
+                     f"standard errors, from inside of a measurement, are {100 * (forces[2] / forces[0]).mean():.0f} % on "
+                     f"the mean, and too small, because the force swings over more than a measurement. The scatter between "
+                     f"the {len(windows['windows'])} windows, which needs no whole pass and is what the bars show, is "
+                     f"{100 * windows['scatter'] / numpy.mean([one['force_planar'] for one in windows['windows']]):.0f}"
+                     f" % of their mean.")
     cost = f"- {name}: the {len(windows['windows'])} windows took {windows['core_seconds']:.0f} core-seconds"
     if "core_seconds" in whole:
         cost += (f", the whole pass {whole['core_seconds']:.0f}: {100 * windows['core_seconds'] / whole['core_seconds']:.1f}"

@@ -83,6 +83,7 @@ def measure_windows(run_in, whole):
             row["whole_planar"] = math.hypot(*mean(whole, low, high))
         windows.append(row)
     return {"run_in": run_in, "width": WIDTH, "core_seconds": joined["core_seconds"],
+            "scatter": joined["scatter_between_windows"],
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"], "windows": windows}
 
 

@@ -209,6 +209,20 @@ TEST(JoinWindows, error_of_noise_that_is_white_or_slow) {
   }
 }
 
+// Of windows with independent errors about a sine, over many cases; a sine itself has none.
+TEST(JoinWindows, scatter_between_windows) {
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal(0, 0.3);
+  std::vector<double> angle, force, exact;
+  for (int k = 0; k < 2000; ++k) {
+    angle.push_back(20 * k), exact.push_back(3 * std::sin((angle.back() + 10) * degree));
+    force.push_back(exact.back() + normal(random));
+  }
+  EXPECT_NEAR(scatter_between(angle, exact), 0, 1e-9);
+  EXPECT_NEAR(scatter_between(angle, force), 0.3, 0.03);
+  EXPECT_TRUE(std::isnan(scatter_between({10, 30, 50, 70}, {1, 2, 3, 2})));
+}
+
 TEST(JoinWindows, too_few_samples) {
   const HistoryTable history = line_with_noise(0, std::vector<double>(4, 0));
   EXPECT_TRUE(std::isnan(measure_force(history, 80, 100).error[0]));
