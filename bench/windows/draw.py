@@ -165,6 +165,29 @@ def between(found):
             f"the mean: what the place of the entry alone changes."]
 
 
+def write_scene(scene):
+    rows = scene["rows"]
+    if not rows:
+        return []
+    core_seconds = sum(row["core_seconds"] for row in rows) / len(rows)
+    lines = ["## Windows of the whole scene", "",
+             f"`{scene['deck']}` at full resolution, with its helix and the full depth of cut, windows of "
+             f"{scene['width']} deg after {scene['run_in']} deg of run-in. One window took {core_seconds:.0f} core-seconds "
+             f"on the mean: nine of them would take {9 * core_seconds / 7200:.2f} h on two cores that do nothing else, the "
+             f"whole pass, as swarf predicts it from them, {scene['predicted_core_seconds'] / 7200:.1f} h; neither was run.",
+             "",
+             "| immersion / deg | uncut chip at the end face / um | planar / N | F_x / N | F_y / N | F_z / N | "
+             "standard error, planar / N | particles | hexes | steps | core-seconds | memory / MiB | "
+             "energy residual | leaked |", "|" + "---:|" * 14]
+    for row in rows:
+        lines.append(f"| {row['immersion']:g} | {1e6 * row['uncut_chip']:.2f} | {row['force_planar']:.2f} | "
+                     f"{row['force_x']:.2f} | {row['force_y']:.2f} | {row['force_z']:.2f} | {row['error_planar']:.2f} | "
+                     f"{row['particles']} | {row['hexes']} | {row['steps']} | {row['core_seconds']:.0f} | "
+                     f"{row['peak_memory_bytes'] / 2**20:.0f} | {100 * row['energy_residual']:.2f} % | "
+                     f"{row['leaked_particles']} |")
+    return lines + [""]
+
+
 def write_page(found):
     whole = found["whole"]
     state = (f"{whole['particles']} particles, {whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds"
@@ -182,6 +205,7 @@ def write_page(found):
     for windows in found["windows"]:
         lines += [f"## Windows of {windows['width']} deg after {windows['run_in']} deg of run-in", "",
                   *write_table(windows), ""]
+    lines += write_scene(found["scene"]) if "scene" in found else []
     (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
 
 

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Runs a pass as a whole and as windows, and compares their forces: results.json beside this file.
 
-usage: measure.py PROGRAM [--no-run]     --no-run: measures what has run, also an unfinished whole pass
+usage: measure.py PROGRAM [--scene] [--no-run]
+--scene: runs windows of the whole scene too, each a quarter of an hour of one core
+--no-run: measures what has run, also an unfinished whole pass
 """
 import csv
 import json
@@ -14,25 +16,34 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 DECK = ROOT / "inputs" / "micro_milling_pass.toml"
+SCENE = ROOT / "inputs" / "micro_milling.toml"
+SCENE_WINDOWS = {"first": 30, "last": 150, "step": 60, "width": 4, "run_in": 8}  # deg
 RESULTS = ROOT / "results" / "windows"
 RUN_INS = (10, 5)  # deg; the first is long, so that it shows what a shorter one would have measured
 WIDTH = 6  # deg
 BIN = 1.0  # deg
 
 
-def write_deck(run_in):
-    deck = re.sub(r"\n\[windows\].*", "", DECK.read_text(), flags=re.S)
-    first_last_step = 'first = "10 deg"\nlast = "170 deg"\nstep = "20 deg"\n'
-    file = RESULTS / f"run_in_{run_in}.toml"
-    file.write_text(f'{deck}\n[windows]\n{first_last_step}width = "{WIDTH} deg"\nrun_in = "{run_in} deg"\n')
+def write_deck(name, deck, windows):
+    text = re.sub(r"\n\[windows\].*", "", deck.read_text(), flags=re.S)
+    keys = "".join(f'{key} = "{value} deg"\n' for key, value in windows.items())
+    file = RESULTS / f"{name}.toml"
+    file.write_text(f"{text}\n[windows]\n{keys}")
     return file
 
 
-def run(program):
+def run_windows(program, name, deck, windows):
     RESULTS.mkdir(parents=True, exist_ok=True)
+    subprocess.run([program, "run", write_deck(name, deck, windows), "--output", RESULTS / name, "--threads", "1",
+                    "--no-pictures", "--resume"], check=True)
+
+
+def run(program):
     for run_in in RUN_INS:
-        subprocess.run([program, "run", write_deck(run_in), "--output", RESULTS / f"run_in_{run_in}", "--threads", "1",
-                        "--no-pictures", "--resume"], check=True)
+        run_windows(program, f"run_in_{run_in}", DECK,
+                    {"first": 10, "last": 170, "step": 20, "width": WIDTH, "run_in": run_in})
+    if "--scene" in sys.argv:
+        run_windows(program, "scene", SCENE, SCENE_WINDOWS)
     whole = RESULTS / "whole"
     if not is_complete(whole):
         resume = ["--resume"] if (whole / "checkpoint.h5").exists() else []
@@ -87,6 +98,21 @@ def measure_windows(run_in, whole):
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"], "windows": windows}
 
 
+def measure_scene():
+    folder = RESULTS / "scene"
+    joined = json.loads((folder / "windows.json").read_text())
+    with open(folder / "windows.csv", newline="") as file:
+        rows = [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+    names = {one["immersion"]: name for name, one in joined["windows"].items()}
+    for row in rows:
+        summary = json.loads((folder / names[row["immersion"]] / "summary.json").read_text())
+        row |= {key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")}
+        row |= {"peak_memory_bytes": summary["cost"]["peak_memory_bytes"]}
+        row |= {"energy_residual": summary["energies"]["worst_residual_over_external"]}
+    return {"deck": str(SCENE.relative_to(ROOT)), **SCENE_WINDOWS, "rows": rows,
+            "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
+
+
 def main():
     if "--no-run" not in sys.argv:
         run(pathlib.Path(sys.argv[1]).resolve())
@@ -97,6 +123,8 @@ def main():
         summary = json.loads((RESULTS / "whole" / "summary.json").read_text())
         found["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
                            "steps": summary["steps"]}
+    if (RESULTS / "scene" / "windows.csv").exists():
+        found["scene"] = measure_scene()
     text = json.dumps(found, indent=1)
     text = re.sub(r"\[\s+([^][{}]*?)\s+\]", lambda m: "[" + re.sub(r"\s+", " ", m[1]) + "]", text)
     (HERE / "results.json").write_text(text + "\n")
