@@ -165,6 +165,28 @@ def between(found):
             f"the mean: what the place of the entry alone changes."]
 
 
+def write_probes(found):
+    """What one window alone gives with one key changed."""
+    lines = []
+    for probe in found.get("probes", []):
+        at = probe["immersion"]
+        normal = next(one for one in found["windows"][0]["windows"] if one["immersion"] == at)
+        whole = normal.get("whole_planar")
+        if not whole:
+            continue
+        lines.append(f"| {probe['run_in']} | {probe['ahead']} | {probe['force_planar']:.3f} | "
+                     f"{percent(probe['force_planar'] / whole - 1)} | {probe['core_seconds']:.0f} |")
+    if not lines:
+        return []
+    run_in = found["windows"][0]["run_in"]
+    lines.insert(0, f"| {run_in} | 7 | {normal['force_planar']:.3f} | {percent(normal['force_planar'] / whole - 1)} | "
+                    f"{normal['core_seconds']:.0f} |")
+    return [f"## What makes the difference at {at:g} deg", "",
+            "The same window with one key changed at a time: the material that goes on ahead of it, and the run-in.", "",
+            "| run-in / deg | ahead / deg | planar force / N | against the whole pass | core-seconds |",
+            "|---:|---:|---:|---:|---:|", *lines, ""]
+
+
 def write_scene(scene):
     rows = scene["rows"]
     if not rows:
@@ -205,6 +227,7 @@ def write_page(found):
     for windows in found["windows"]:
         lines += [f"## Windows of {windows['width']} deg after {windows['run_in']} deg of run-in", "",
                   *write_table(windows), ""]
+    lines += write_probes(found)
     lines += write_scene(found["scene"]) if "scene" in found else []
     (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
 

@@ -21,6 +21,10 @@ SCENE_WINDOWS = {"first": 30, "last": 150, "step": 60, "width": 4, "run_in": 8} 
 RESULTS = ROOT / "results" / "windows"
 RUN_INS = (10, 5)  # deg; the first is long, so that it shows what a shorter one would have measured
 WIDTH = 6  # deg
+# One window alone, where the others differ most from the whole pass, with one key of it changed at a time: which of
+# them makes the difference.
+PROBES = {"probe_ahead": {"run_in": 10, "ahead": 21}, "probe_run_in": {"run_in": 40, "ahead": 7}}
+PROBED = 150  # deg
 BIN = 1.0  # deg
 
 
@@ -42,6 +46,8 @@ def run(program):
     for run_in in RUN_INS:
         run_windows(program, f"run_in_{run_in}", DECK,
                     {"first": 10, "last": 170, "step": 20, "width": WIDTH, "run_in": run_in})
+    for name, keys in PROBES.items():
+        run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
     whole = RESULTS / "whole"
@@ -98,6 +104,14 @@ def measure_windows(run_in, whole):
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"], "windows": windows}
 
 
+def measure_probe(name):
+    folder = RESULTS / name
+    one = next(iter(json.loads((folder / "windows.json").read_text())["windows"].items()))
+    samples = read_samples(folder / one[0])
+    return {**PROBES[name], "immersion": PROBED, "force_planar": one[1]["force_planar"],
+            "core_seconds": one[1]["core_seconds"], "bins": bins(samples)}
+
+
 def measure_scene():
     folder = RESULTS / "scene"
     joined = json.loads((folder / "windows.json").read_text())
@@ -123,6 +137,7 @@ def main():
         summary = json.loads((RESULTS / "whole" / "summary.json").read_text())
         found["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
                            "steps": summary["steps"]}
+    found["probes"] = [measure_probe(name) for name in PROBES if is_complete(RESULTS / name / f"window_{PROBED:03d}")]
     if (RESULTS / "scene" / "windows.csv").exists():
         found["scene"] = measure_scene()
     text = json.dumps(found, indent=1)
