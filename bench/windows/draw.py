@@ -65,6 +65,12 @@ def draw(found):
     components = [smooth(numpy.array(bins[name]), width)[0] for name in ("force_x", "force_y")]
     middles = smooth(angle, width)[0]
     curve.plot(middles, numpy.hypot(*components), color="black", linewidth=2, label=f"whole pass, means over {width}°")
+    if "asleep" in found:
+        asleep = found["asleep"]["bins"]
+        curve.plot(smooth(numpy.array(asleep["immersion"]), width)[0],
+                   numpy.hypot(*(smooth(numpy.array(asleep[name]), width)[0] for name in ("force_x", "force_y"))),
+                   color="black", linewidth=1.2, linestyle="--",
+                   label=f"its far part asleep, means over {width}°")
     for windows, colour, marker in zip(found["windows"], COLOURS, MARKERS):
         rows = windows["windows"]
         curve.errorbar([one["immersion"] for one in rows], [one["force_planar"] for one in rows],
@@ -187,6 +193,27 @@ def write_probes(found):
             "|---:|---:|---:|---:|---:|", *lines, ""]
 
 
+def write_asleep(found):
+    """Where both have been, in means over 10 deg: does sleep change the force?"""
+    whole, asleep = found["whole"], found["asleep"]
+    force = {angle: value for angle, value in zip(whole["bins"]["immersion"], planar(whole["bins"]))}
+    pairs = numpy.array([(value, force[angle]) for angle, value in
+                         zip(asleep["bins"]["immersion"], planar(asleep["bins"])) if 0 < angle < 180 and angle in force])
+    means = pairs[:len(pairs) // 10 * 10].reshape(-1, 10, 2).mean(axis=1)
+    ratio = means[:, 0].sum() / means[:, 1].sum()
+    error = (means[:, 0] - ratio * means[:, 1]).std(ddof=1) * math.sqrt(len(means)) / means[:, 1].sum()
+    cost = ""
+    if "core_seconds" in whole:
+        cost = (f" It took {asleep['core_seconds']:.0f} core-seconds: {100 * asleep['core_seconds'] / whole['core_seconds']:.0f}"
+                " % of the whole.")
+    return ["## The whole pass with its far part asleep", "",
+            f"`[sleep] distance = \"{asleep['distance']}\"`: {100 * asleep['awake']:.0f} % of the particles were awake on the "
+            f"mean, near the tooth that cuts and near the other one, which leaves.{cost} Mean force {percent(ratio - 1)}, "
+            f"standard error {100 * error:.1f} % from the scatter of {len(means)} stretches of 10 deg, which differ by "
+            f"{100 * math.sqrt(((means[:, 0] / means[:, 1] - 1) ** 2).mean()):.0f} % (root mean square); worst energy residual "
+            f"{100 * asleep['energy_residual']:.2f} % of the external work.", ""]
+
+
 def write_scene(scene):
     rows = scene["rows"]
     if not rows:
@@ -228,6 +255,7 @@ def write_page(found):
         lines += [f"## Windows of {windows['width']} deg after {windows['run_in']} deg of run-in", "",
                   *write_table(windows), ""]
     lines += write_probes(found)
+    lines += write_asleep(found) if "asleep" in found else []
     lines += write_scene(found["scene"]) if "scene" in found else []
     (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
 

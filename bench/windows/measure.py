@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs a pass as a whole and as windows, and compares their forces: results.json beside this file.
+"""Runs a pass as a whole, with its far part asleep, and as windows, and compares their forces: results.json beside this file.
 
 usage: measure.py PROGRAM [--scene] [--no-run]
 --scene: runs windows of the whole scene too, each a quarter of an hour of one core
@@ -25,20 +25,21 @@ WIDTH = 6  # deg
 # them makes the difference.
 PROBES = {"probe_ahead": {"run_in": 10, "ahead": 21}, "probe_run_in": {"run_in": 40, "ahead": 7}}
 PROBED = 150  # deg
+SLEEP_DISTANCE = "60 um"
 BIN = 1.0  # deg
 
 
-def write_deck(name, deck, windows):
+def write_deck(name, deck, section, keys):
+    RESULTS.mkdir(parents=True, exist_ok=True)
     text = re.sub(r"\n\[windows\].*", "", deck.read_text(), flags=re.S)
-    keys = "".join(f'{key} = "{value} deg"\n' for key, value in windows.items())
     file = RESULTS / f"{name}.toml"
-    file.write_text(f"{text}\n[windows]\n{keys}")
+    file.write_text(f"{text}\n[{section}]\n" + "".join(f'{key} = "{value}"\n' for key, value in keys.items()))
     return file
 
 
 def run_windows(program, name, deck, windows):
-    RESULTS.mkdir(parents=True, exist_ok=True)
-    subprocess.run([program, "run", write_deck(name, deck, windows), "--output", RESULTS / name, "--threads", "1",
+    keys = {key: f"{value} deg" for key, value in windows.items()}
+    subprocess.run([program, "run", write_deck(name, deck, "windows", keys), "--output", RESULTS / name, "--threads", "1",
                     "--no-pictures", "--resume"], check=True)
 
 
@@ -50,10 +51,15 @@ def run(program):
         run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
-    whole = RESULTS / "whole"
-    if not is_complete(whole):
-        resume = ["--resume"] if (whole / "checkpoint.h5").exists() else []
-        subprocess.run([program, "run", DECK, "--whole", "--output", whole, "--threads", "1", "--no-pictures", *resume],
+    run_whole(program, "asleep", write_deck("asleep", DECK, "sleep", {"distance": SLEEP_DISTANCE}))
+    run_whole(program, "whole", DECK)
+
+
+def run_whole(program, name, deck):
+    folder = RESULTS / name
+    if not is_complete(folder):
+        resume = ["--resume"] if (folder / "checkpoint.h5").exists() else []
+        subprocess.run([program, "run", deck, "--whole", "--output", folder, "--threads", "1", "--no-pictures", *resume],
                        check=True)
 
 
@@ -112,6 +118,15 @@ def measure_probe(name):
             "core_seconds": one[1]["core_seconds"], "bins": bins(samples)}
 
 
+def measure_asleep():
+    summary = json.loads((RESULTS / "asleep" / "summary.json").read_text())
+    cost = summary["cost"]
+    moved = cost["particle_steps_per_second"] * cost["wall_seconds"]
+    return {"distance": SLEEP_DISTANCE, "core_seconds": cost["cpu_seconds"], "bins": bins(read_samples(RESULTS / "asleep")),
+            "awake": moved / (summary["particles"] * cost["steps"]),
+            "energy_residual": summary["energies"]["worst_residual_over_external"]}
+
+
 def measure_scene():
     folder = RESULTS / "scene"
     joined = json.loads((folder / "windows.json").read_text())
@@ -138,6 +153,8 @@ def main():
         found["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
                            "steps": summary["steps"]}
     found["probes"] = [measure_probe(name) for name in PROBES if is_complete(RESULTS / name / f"window_{PROBED:03d}")]
+    if is_complete(RESULTS / "asleep"):
+        found["asleep"] = measure_asleep()
     if (RESULTS / "scene" / "windows.csv").exists():
         found["scene"] = measure_scene()
     text = json.dumps(found, indent=1)
