@@ -69,7 +69,7 @@ MEAN_OF = {"spacing": "mean of three", "together": "together, mean of three",
            STIFFNESS_0: "stiffness 0, mean of three"}  # groups that have such points
 
 
-# Each is stable alone. The step is courant h / c', which counts neither the viscosities nor the hourglass stiffness.
+# Each was stable alone with a step of courant h / c', which counted neither the viscosities nor the hourglass stiffness.
 AT_LIMIT = (("courant 0.7", "h/dx 1.0"), ("courant 0.7", "viscosity 1", "hourglass 1"))
 
 
