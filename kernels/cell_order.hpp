@@ -50,6 +50,20 @@ SWARF_FN Real distance_to(const VectorField& cells, Real cell_size, const Vector
   return Kokkos::max(Kokkos::sqrt(least) - Real(0.5) * Kokkos::sqrt(Real(3)) * cell_size, Real(0));
 }
 
+// place(i): 1 where row i is taken, else 0; becomes its number among those taken, else -1. Returns how many.
+inline int number_taken(const IndexField& place) {
+  int taken = 0;
+  Kokkos::parallel_scan(
+      "number_taken", Range(0, int(place.extent(0))),
+      KOKKOS_LAMBDA(int i, int& sum, bool last) {
+        const int own = place(i);
+        if (last) place(i) = own ? sum : -1;
+        sum += own;
+      },
+      taken);
+  return taken;
+}
+
 // Row i becomes what row from(i).row was.
 template <class T>
 void permute(const View<T*>& field, const KeyedRows& from) {

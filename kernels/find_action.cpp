@@ -27,15 +27,7 @@ int append_action(const VectorField& position, const VectorField& velocity, int 
       "find_action", Range(0, rows), KOKKOS_LAMBDA(int i) {
         place(i) = acts(w, load_vector(position, i), load_vector(velocity, i)) ? 1 : 0;
       });
-  int more = 0;
-  Kokkos::parallel_scan(
-      "find_action", Range(0, rows),
-      KOKKOS_LAMBDA(int i, int& sum, bool last) {
-        const int own = place(i);
-        if (last) place(i) = own ? sum : -1;
-        sum += own;
-      },
-      more);
+  const int more = number_taken(place);
   ensure_rows(found, first + more);
   const VectorField to = found;
   Kokkos::parallel_for(

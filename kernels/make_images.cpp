@@ -10,17 +10,13 @@ namespace {
 int append_sources(const VectorField& position, const SeenRows& seen, const ImagePlane& plane, Real cutoff,
                    IndexField& source, int first) {
   const int rows = seen.count();
-  const IndexField place("make_images_place", rows + 1);
-  int found = 0;
-  Kokkos::parallel_scan(
-      "make_images", Range(0, rows),
-      KOKKOS_LAMBDA(int i, int& sum, bool last) {
+  const IndexField place("make_images_place", rows);
+  Kokkos::parallel_for(
+      "make_images", Range(0, rows), KOKKOS_LAMBDA(int i) {
         const Real distance = dot(plane.normal, load_vector(position, seen(i))) - plane.offset;
-        const int near = distance < cutoff ? 1 : 0;
-        if (last) place(i) = near ? sum : -1;
-        sum += near;
-      },
-      found);
+        place(i) = distance < cutoff ? 1 : 0;
+      });
+  const int found = number_taken(place);
   ensure_rows(source, first + found);
   const IndexField to = source;
   Kokkos::parallel_for(

@@ -6,7 +6,6 @@
 namespace swarf {
 namespace {
 
-// Particles keep their order, so that nothing changes where nothing sleeps; tied ones come back to theirs.
 enum Rank : CellKey { awake, awake_tied, listed, far };
 
 SWARF_FN void stop_particle(const Particles& p, int i, Real mass_factor) {
@@ -25,6 +24,7 @@ SWARF_FN void still(const Particles& p, int i) {
   p.points.plastic_strain_rate(i) = 0;
 }
 
+// Particles keep their order, so that nothing changes where nothing sleeps; tied ones come back to theirs.
 KeyedRows rank_rows(const Particles& p, const VectorField& action, const Sleep& s) {
   const KeyedRows order(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_order"), p.stored);
   Kokkos::parallel_for(

@@ -8,8 +8,7 @@ namespace swarf {
 // The action: points that the tool may touch soon, and points that move fast. With d the distance of a point
 // from the nearest of them, and lengths in m:
 //   d <= distance                     moves; over the last `ramp` of it velocities are damped, so that waves
-//   that
-//                                     run outwards do not come back
+//                                     which run outwards do not come back
 //   distance < d <= distance + margin is held: its stress follows the motion of its neighbours, so that the
 //                                     energy of the rest closes as if it were a fixed face
 //   beyond                            sleeps; up to `reach` further it is still a neighbour of what is held
