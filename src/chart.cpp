@@ -32,6 +32,8 @@ vtkNew<vtkTable> make_table(const std::vector<double>& x, const std::vector<doub
   return table;
 }
 
+constexpr int label_size = 24; // pixels
+
 } // namespace
 
 struct Chart::Canvas {
@@ -45,19 +47,24 @@ struct Chart::Canvas {
     axis->GetPen()->SetWidth(2);
   }
 
-  // At the right end, just above its line.
-  void add_label(const Level& level) {
+  double height_of(const Level& level) { // pixels
     vtkAxis* axis = chart->GetAxis(vtkAxis::LEFT);
     const float low = axis->GetPosition1()[1], high = axis->GetPosition2()[1];
     const double share = (level.value - axis->GetMinimum()) / (axis->GetMaximum() - axis->GetMinimum());
+    return low + share * (high - low);
+  }
+
+  // At the right end just above its line, at the left end just below.
+  void add_label(const Level& level, bool at_right) {
+    vtkAxis* axis = chart->GetAxis(vtkAxis::BOTTOM);
     vtkNew<vtkTextActor> text;
     text->SetInput(level.label.c_str());
-    text->GetTextProperty()->SetFontSize(24);
+    text->GetTextProperty()->SetFontSize(label_size);
     text->GetTextProperty()->SetColor(0.25, 0.25, 0.25);
-    text->GetTextProperty()->SetJustificationToRight();
-    text->GetTextProperty()->SetVerticalJustificationToBottom();
-    text->SetPosition(chart->GetAxis(vtkAxis::BOTTOM)->GetPosition2()[0] - 12,
-                      low + share * (high - low) + 3);
+    text->GetTextProperty()->SetJustification(at_right ? VTK_TEXT_RIGHT : VTK_TEXT_LEFT);
+    text->GetTextProperty()->SetVerticalJustification(at_right ? VTK_TEXT_BOTTOM : VTK_TEXT_TOP);
+    text->SetPosition(at_right ? axis->GetPosition2()[0] - 12 : axis->GetPosition1()[0] + 12,
+                      height_of(level) + (at_right ? 3 : -3));
     view->GetRenderer()->AddActor2D(text);
   }
 
@@ -129,7 +136,16 @@ void Chart::set_range(int which, double least, double most) {
 
 void Chart::write(const std::filesystem::path& png, const std::vector<Level>& levels) {
   canvas->view->GetRenderWindow()->Render(); // places the axes
-  for (const Level& level : levels) canvas->add_label(level);
+  std::vector<Level> from_top = levels;
+  std::sort(from_top.begin(), from_top.end(),
+            [](const Level& a, const Level& b) { return a.value > b.value; });
+  bool at_right = true; // a label that would meet the one above it goes to the other end
+  for (std::size_t k = 0; k < from_top.size(); ++k) {
+    const bool close =
+        k > 0 && canvas->height_of(from_top[k - 1]) - canvas->height_of(from_top[k]) < 1.3 * label_size;
+    at_right = close ? !at_right : true;
+    canvas->add_label(from_top[k], at_right);
+  }
   write_png(canvas->view->GetRenderWindow(), png);
 }
 
