@@ -126,6 +126,6 @@ def combination(rows):
     pairs = [row for row in rows if row["group"] == "at the limit"]
     if pairs:
         said += (f" At the limit of the time step, each setting stable alone, at dx = {pairs[0]['spacing']:.3g} um: "
-                 f"{listed(pairs)}. The step of these runs was the Courant number times h / c', which counted neither the "
-                 "viscosities nor the hourglass stiffness; the present one does (kernels/stable_step.cpp).")
+                 f"{listed(pairs)}. The step counts the viscosities and the hourglass stiffness (kernels/stable_step.cpp), not "
+                 "what the corrected gradient of a strained chip adds.")
     return said.strip()

@@ -70,6 +70,9 @@ class Orthogonal:
         cut_zone["faces"]["y_min"] = "fixed"
         deck["body"] = [cut_zone]
 
+    def spacing_of(self, deck):
+        return decks.si(decks.body(deck, "cut zone")["spacing"])
+
     def uncut(self, deck, time):
         one = deck["body"][0]
         return decks.si(one["origin"][1]) + decks.si(one["size"][1]) - decks.si(deck["tool"]["position"][1])
@@ -132,7 +135,7 @@ class Milling:
         self.prepare_output(deck)
 
     def set_slice(self, deck, count):
-        cell = self.width(deck) / decks.body(deck, "cut zone")["cells"][1]
+        cell = self.spacing_of(deck)
         decks.body(deck, "cut zone")["cells"][1] = count
         if bulk := decks.body(deck, "bulk"):
             bulk["cells"][1] = count // 2
@@ -169,6 +172,9 @@ class Milling:
         del cut_zone["tie"]
         cut_zone["faces"]["outer"] = "fixed"
         deck["body"] = [cut_zone]
+
+    def spacing_of(self, deck):
+        return self.width(deck) / decks.body(deck, "cut zone")["cells"][1]
 
     def uncut(self, deck, time):
         tool = deck["tool"]
