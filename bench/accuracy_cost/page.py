@@ -27,7 +27,8 @@ thickness and at a third of a spacing more and less, so that the edge meets the 
 - Reference: the limit of spacing 0 with the observed order (Richardson), from the points that differ in spacing
   only, means of three where they have run. Its uncertainty is twice the standard deviation of that limit when the
   points scatter by their own error or by what the fit leaves, whichever is more. A series that changes but shows no
-  order lies between the limits of first and second order, each with its error; one that does not change by more than
+  order between first (surfaces, contact) and second (the kernel sum) lies between the limits of these two, each with
+  its error; one that does not change by more than
   its scatter is the mean of the finest three. It says nothing about settings that all points share.
 - Errors carry their sign: two that cancel are luck, not accuracy. "For 5 %" asks that error and standard error
   together are within 5 %. Points whose energy residual exceeds {energy:.0f} % of the external work are drawn hollow and
