@@ -39,6 +39,24 @@ KeyedRows sort_rows(const VectorField& position, const SeenRows& seen, const Key
   return sorted;
 }
 
+struct RowKeyOf {
+  CellGrid grid;
+  SWARF_FN CellKey operator()(const Vector3& x) const { return row_key(grid.index(x)); }
+};
+
+// The first of `count` sorted rows whose key is no less than `value`.
+SWARF_FN int lower_bound(const KeyedRows& rows, int count, CellKey value) {
+  int low = 0;
+  while (count > 0) {
+    const int half = count / 2;
+    if (rows(low + half).key < value)
+      low += half + 1, count -= half + 1;
+    else
+      count = half;
+  }
+  return low;
+}
+
 // No more than from x to the action in the nearest of the cells; 0 where there are none, so that all move.
 SWARF_FN Real distance_to(const VectorField& cells, Real cell_size, const Vector3& x) {
   const int rows = int(cells.extent(0));

@@ -1,45 +1,29 @@
 // Where the action is: the middle of each cell that holds a point which the tool comes near to, or which is
-// at least as fast as sleep.speed. Reads positions and velocities of all stored particles and of the nodes.
-// with_images: these points and their images across periodic and mirror planes.
-#include "cell_order.hpp"
+// at least as fast as sleep.speed. Reads position, velocity and constraints of all stored particles and
+// nodes; what has retired does not act. with_images: these points and their images across periodic and mirror
+// planes.
+#include "append_points.hpp"
+#include "swarf/retire.hpp"
 #include "swarf/signed_distance.hpp"
 
 namespace swarf {
 namespace {
 
-struct Watch {
+struct Acts {
   Tool tool;
   ToolFrame frame;
   Real speed2;
-};
+  VectorField position, velocity;
+  View<unsigned*> constraints;
 
-SWARF_FN bool acts(const Watch& w, const Vector3& x, const Vector3& v) {
-  if (dot(v, v) >= w.speed2) return true;
-  if (w.tool.facets == 0) return false;
-  return signed_distance(w.tool, to_tool(w.frame, x)).where != ToolDistance::Where::outside;
-}
-
-// Appends to found the points among rows [0, rows); returns how many there are then.
-int append_action(const VectorField& position, const VectorField& velocity, int rows, const Watch& w,
-                  VectorField& found, int first) {
-  const IndexField place("find_action_place", rows);
-  Kokkos::parallel_for(
-      "find_action", Range(0, rows), KOKKOS_LAMBDA(int i) {
-        place(i) = acts(w, load_vector(position, i), load_vector(velocity, i)) ? 1 : 0;
-      });
-  const int more = number_taken(place);
-  ensure_rows(found, first + more);
-  const VectorField to = found;
-  Kokkos::parallel_for(
-      "find_action", Range(0, rows), KOKKOS_LAMBDA(int i) {
-        if (place(i) >= 0) store_vector(to, first + place(i), load_vector(position, i));
-      });
-  return first + more;
-}
-
-struct CellOf {
-  CellGrid grid;
-  SWARF_FN CellKey operator()(const Vector3& x) const { return row_key(grid.index(x)); }
+  SWARF_FN bool operator()(int i) const {
+    if (constraints(i) & retired_bit) return false;
+    const Vector3 v = load_vector(velocity, i);
+    if (dot(v, v) >= speed2) return true;
+    if (tool.facets == 0) return false;
+    const Vector3 x = to_tool(frame, load_vector(position, i));
+    return signed_distance(tool, x).where != ToolDistance::Where::outside;
+  }
 };
 
 // A grid that does not move with what it holds.
@@ -53,7 +37,7 @@ CellGrid fixed_grid(const VectorField& points, int rows, Real cell) {
 VectorField thin_out(const VectorField& points, int rows, Real cell) {
   if (rows == 0) return VectorField("action", 0);
   const CellGrid grid = fixed_grid(points, rows, cell);
-  const KeyedRows sorted = sort_rows(points, first_rows(rows), CellOf{grid});
+  const KeyedRows sorted = sort_rows(points, first_rows(rows), RowKeyOf{grid});
   VectorField kept("action", rows);
   int count = 0;
   Kokkos::parallel_scan(
@@ -75,10 +59,13 @@ VectorField thin_out(const VectorField& points, int rows, Real cell) {
 } // namespace
 
 VectorField find_action(const Particles& p, const HexMesh& m, const ToolAt& at, const Sleep& sleep) {
-  const Watch watch{at.tool, make_frame(at.pose), sleep.speed * sleep.speed};
+  const ToolFrame frame = make_frame(at.pose);
+  const Real speed2 = sleep.speed * sleep.speed;
   VectorField found("action", 0);
-  int rows = append_action(p.position, p.velocity, p.stored, watch, found, 0);
-  rows = append_action(m.position, m.velocity, m.nodes, watch, found, rows);
+  int rows = append_points(p.position, p.stored,
+                           Acts{at.tool, frame, speed2, p.position, p.velocity, p.constraints}, found, 0);
+  rows = append_points(m.position, m.nodes,
+                       Acts{at.tool, frame, speed2, m.position, m.velocity, m.constraints}, found, rows);
   return thin_out(found, rows, sleep.cell);
 }
 

@@ -16,18 +16,6 @@ struct Search {
   Real cutoff = 0;
 };
 
-SWARF_FN int lower_bound(const KeyedRows& rows, int count, CellKey value) {
-  int low = 0;
-  while (count > 0) {
-    const int half = count / 2;
-    if (rows(low + half).key < value)
-      low += half + 1, count -= half + 1;
-    else
-      count = half;
-  }
-  return low;
-}
-
 struct Box {
   Vector3 low, high;
 };
@@ -123,15 +111,10 @@ void walk(const Neighbors& n, const Search& s, const VectorField& position, bool
       });
 }
 
-struct RowKey {
-  CellGrid grid;
-  SWARF_FN CellKey operator()(const Vector3& x) const { return row_key(grid.index(x)); }
-};
-
 Search make_search(const Particles& p, Real cutoff) {
   const SeenRows seen{p.listed, p.stored, p.total};
   Search s{cell_grid(p.position, p.total, cutoff), {}, {}, seen.count(), cutoff};
-  s.rows = sort_rows(p.position, seen, RowKey{s.grid});
+  s.rows = sort_rows(p.position, seen, RowKeyOf{s.grid});
   s.position = VectorField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "sorted_position"), s.total);
   const VectorField from = p.position;
   Kokkos::parallel_for(

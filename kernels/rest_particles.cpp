@@ -1,7 +1,9 @@
 // Puts to sleep, holds, or wakes each particle by its distance d from the action (sleep.hpp), and orders the
-// rows: awake particles, awake tied ones, sleeping ones that a list may hold, those far from all. What stops
-// gives its kinetic energy to external_work, as at a fixed face. Writes constraints, damping and the counts.
+// rows: awake particles, awake tied ones, sleeping ones that a list may hold, those far from all and those
+// that have retired. What stops gives its kinetic energy to external_work, as at a fixed face. Writes
+// constraints, damping and the counts.
 #include "cell_order.hpp"
+#include "swarf/retire.hpp"
 
 namespace swarf {
 namespace {
@@ -29,6 +31,10 @@ KeyedRows rank_rows(const Particles& p, const VectorField& action, const Sleep& 
   const KeyedRows order(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_order"), p.stored);
   Kokkos::parallel_for(
       "rest_particles", Range(0, p.stored), KOKKOS_LAMBDA(int i) {
+        if (p.constraints(i) & retired_bit) {
+          order(i) = {(CellKey(far) << 40) | CellKey(i), i};
+          return;
+        }
         const Real d = distance_to(action, s.cell, load_vector(p.position, i));
         const bool tied = p.identity(i) >= p.whole;
         const bool moves = d <= s.distance, is_awake = d <= s.distance + s.margin;

@@ -1,6 +1,6 @@
 // Energies, momentum and extremes of particles and of hexes, for the history: once per sample, not per step.
 #include "block_sum.hpp"
-#include "swarf/kernels.hpp"
+#include "swarf/retire.hpp"
 
 namespace swarf {
 namespace {
@@ -21,8 +21,12 @@ KOKKOS_INLINE_FUNCTION void add_point(PointSums& s, const MaterialPoints& p, int
 
 } // namespace
 
+// What has retired counts in the sums, not in the extremes: those are of what is computed.
 PointSums sum_particles(const Particles& p, Real mass_factor) {
-  const auto add = KOKKOS_LAMBDA(int i, PointSums& s) {
+  const auto add = KOKKOS_LAMBDA(int i, PointSums& sums) {
+    const bool retired = p.constraints(i) & retired_bit;
+    PointSums apart;
+    PointSums& s = retired ? apart : sums;
     s.viscous += p.viscous_work(i);
     s.hourglass += p.hourglass_work(i);
     add_point(s, p.points, i);
@@ -31,6 +35,9 @@ PointSums sum_particles(const Particles& p, Real mass_factor) {
     s.external += p.external_work(i);
     s.friction += p.friction_work(i);
     s.contact += p.contact_energy(i);
+    if (!retired) return;
+    apart.max_temperature = apart.max_plastic_strain = apart.max_speed = 0;
+    sums.add(apart);
   };
   return block_sum<PointSums>("sum_particles", p.stored, add);
 }

@@ -12,8 +12,8 @@
 namespace swarf {
 namespace {
 
-const std::vector<std::string> section_names = {"material", "body",  "tool", "contact", "particles",
-                                                "hexes",    "sleep", "run",  "output",  "windows"};
+const std::vector<std::string> section_names = {"material", "body",   "tool", "contact", "particles", "hexes",
+                                                "sleep",    "retire", "run",  "output",  "windows"};
 
 class DeckReader {
  public:
@@ -194,6 +194,7 @@ Deck DeckReader::read() {
   read_keys(find_section("particles"), "particles", particles_keys(), deck.particles, report);
   read_keys(find_section("hexes"), "hexes", hexes_keys(), deck.hexes, report);
   read_keys(find_section("sleep"), "sleep", sleep_keys(), deck.sleep, report);
+  read_keys(find_section("retire"), "retire", retire_keys(), deck.retire, report);
   read_run();
   read_output();
   read_windows();

@@ -111,6 +111,11 @@ struct SleepDeck {
   bool operator==(const SleepDeck&) const = default;
 };
 
+struct RetireDeck {
+  std::optional<double> distance; // m; not given: nothing leaves
+  bool operator==(const RetireDeck&) const = default;
+};
+
 struct RunDeck {
   std::optional<double> end_time;      // s
   std::optional<double> end_immersion; // rad, instead of end_time
@@ -160,6 +165,7 @@ struct Deck {
   ParticlesDeck particles;
   HexesDeck hexes;
   SleepDeck sleep;
+  RetireDeck retire;
   RunDeck run;
   OutputDeck output;
   std::optional<WindowsDeck> windows;

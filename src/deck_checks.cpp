@@ -179,6 +179,16 @@ void check_kernel_frame(const Deck& deck, const toml::table& root, DeckReport& r
                "\"initial\" conducts no heat: give no material a conductivity, or use \"current\"");
 }
 
+void check_retire(const Deck& deck, const toml::table& root, DeckReport& report) {
+  if (!deck.retire.distance) return;
+  const toml::node& place = find_place(*root["retire"].as_table(), "distance");
+  if (!deck.tool) report.add(place, "retire.distance", "needs a tool, which makes the chip. Leave it out");
+  if (!deck.sleep.distance)
+    report.add(
+        place, "retire.distance",
+        "needs sleep.distance, by which the run looks at what is far. Give it (\"1 m\": all is awake)");
+}
+
 // What needs a rotating tool.
 void check_spindle(const Deck& deck, const toml::table& root, DeckReport& report) {
   const bool has_spindle = deck.tool && deck.tool->spindle_speed > 0;
@@ -281,6 +291,7 @@ void check_deck(const Deck& deck, const toml::table& root, DeckReport& report) {
   check_ties(deck, bodies, report);
   check_spindle(deck, root, report);
   check_kernel_frame(deck, root, report);
+  check_retire(deck, root, report);
   for (std::size_t i = 0; i < deck.bodies.size(); ++i)
     if (deck.bodies[i].previous_tooth && (!deck.tool || deck.tool->kind != "end_mill"))
       report.add(find_place(*bodies.get(i)->as_table(), "previous_tooth"), "body.previous_tooth",

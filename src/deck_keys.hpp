@@ -55,6 +55,7 @@ const Keys<ContactDeck>& contact_keys();
 const Keys<ParticlesDeck>& particles_keys();
 const Keys<HexesDeck>& hexes_keys();
 const Keys<SleepDeck>& sleep_keys();
+const Keys<RetireDeck>& retire_keys();
 const Keys<RunDeck>& run_keys();
 const Keys<OutputDeck>& output_keys();
 const Keys<LabelledForce>& published_keys();

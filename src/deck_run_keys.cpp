@@ -92,6 +92,18 @@ const Keys<SleepDeck>& sleep_keys() {
   return keys;
 }
 
+const Keys<RetireDeck>& retire_keys() {
+  using R = RetireDeck;
+  static const Keys<R> keys = {
+      {"distance", &R::distance, D::length, positive, optional, always,
+       "spent chip: particles farther than this from where they began, from what has moved less and from "
+       "what "
+       "the tool comes near to leave for good and fly on without forces; needs sleep.distance; not given: "
+       "nothing leaves"},
+  };
+  return keys;
+}
+
 const Keys<RunDeck>& run_keys() {
   using R = RunDeck;
   static const Keys<R> keys = {

@@ -107,6 +107,7 @@ std::string resolved_deck(const Deck& deck) {
   text += "\n[particles]\n" + write_keys(particles_keys(), deck.particles);
   text += "\n[hexes]\n" + write_keys(hexes_keys(), deck.hexes);
   text += "\n[sleep]\n" + write_keys(sleep_keys(), deck.sleep);
+  if (deck.retire.distance) text += "\n[retire]\n" + write_keys(retire_keys(), deck.retire);
   text += "\n[run]\n" + write_keys(run_keys(), deck.run);
   if (deck.windows) text += "\n[windows]\n" + write_keys(windows_keys(), *deck.windows);
   text += "\n[output]\n" + write_keys(output_keys(), deck.output);
@@ -134,6 +135,7 @@ std::string key_reference() {
   text += write_reference("[particles]", "Method of the particles.", particles_keys());
   text += write_reference("[hexes]", "Method of the hexes.", hexes_keys());
   text += write_reference("[sleep]", "Points far from the action that take no part.", sleep_keys());
+  text += write_reference("[retire]", "Spent chip that leaves the computation.", retire_keys());
   text += write_reference("[run]", "Exactly one of end_time and end_immersion.", run_keys());
   text += write_reference("[output]", "What is written, and how often.", output_keys());
   text += write_reference("output.published", "Each entry of the list:", published_keys());

@@ -98,10 +98,10 @@ class Collector {
     const auto at = std::find_if(rows.begin(), rows.end(), same);
     const std::size_t bit = std::size_t(at - rows.begin());
     if (at == rows.end()) rows.push_back(row);
-    if (bit >= 31)
+    if (bit >= 29) // the others say what a particle does
       reject(
           deck, *body.deck, "faces." + face.face,
-          "is the 32nd different hold: expected at most 31. Hold fewer faces, or give them equal velocities");
+          "is the 30th different hold: expected at most 29. Hold fewer faces, or give them equal velocities");
     return 1u << bit;
   }
 

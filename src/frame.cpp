@@ -1,5 +1,6 @@
 #include "src/frame.hpp"
 #include "src/scene.hpp"
+#include "swarf/retire.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -76,6 +77,8 @@ FrameData copy_frame(const Particles& particles, const HexMesh& hexes, const Too
   frame.particles.contact_force = copy_rows<float>(particles.contact_force, rows);
   frame.particles.body = copy_rows<int>(particles.body, rows);
   frame.particles.identity = copy_rows<int>(particles.identity, rows);
+  for (const int bits : copy_rows<int>(particles.constraints, rows))
+    frame.particles.retired.push_back((bits & retired_bit ? 1 : 0) + (bits & met_bit ? 1 : 0));
   frame.particles.state = copy_state(particles.points, particles.volume, rows);
   frame.hexes.position = copy_rows<float>(hexes.position, nodes);
   frame.hexes.velocity = copy_rows<float>(hexes.velocity, nodes);

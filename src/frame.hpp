@@ -21,6 +21,7 @@ struct PointFields {
 struct FrameParticles {
   std::vector<float> position, velocity, contact_force; // 3 a row
   std::vector<int> body, identity;
+  std::vector<int> retired; // 1: has left for good; 2: and was met
   PointFields state;
 };
 

@@ -69,15 +69,18 @@ void add_shown(vtkDataSetAttributes* data, const ShownField& field, const std::f
 }
 
 // Radius of the drawn spheres: spheres on a cubic lattice that just close the gaps along the face diagonals.
+// What has retired is not drawn.
 void add_radius(vtkPolyData* particles, double& spacing) {
   vtkDataArray* volume = particles->GetPointData()->GetArray("volume");
+  vtkDataArray* retired = particles->GetPointData()->GetArray("retired");
   vtkNew<vtkFloatArray> radius;
   radius->SetName("radius");
   spacing = 0;
   for (vtkIdType i = 0; i < particles->GetNumberOfPoints(); ++i) {
     const double size = volume ? units_per_metre * std::cbrt(volume->GetComponent(i, 0)) : 0;
     spacing += size / double(particles->GetNumberOfPoints());
-    radius->InsertNextValue(float(0.71 * size));
+    const bool is_drawn = !retired || retired->GetComponent(i, 0) == 0;
+    radius->InsertNextValue(is_drawn ? float(0.71 * size) : 0.0F);
   }
   particles->GetPointData()->AddArray(radius);
 }

@@ -79,6 +79,7 @@ class Recorder {
     last_frame = simulation.time();
     FrameData frame = copy_frame(simulation.scene().particles, simulation.scene().hexes,
                                  simulation.scene().tool, simulation.pose());
+    if (!deck.retire.distance) frame.particles.retired.clear();
     frame.time = simulation.time();
     if (deck.tool && deck.tool->spindle_speed > 0) frame.immersion = simulation.immersion_deg();
     frames->write(frame);
@@ -162,6 +163,12 @@ int run_deck(const RunOptions& options) {
   write_history_results(folder, deck.output.filter_frequency);
   write_summary(folder, deck, simulation, ended, progress.seconds(), recorder.most_leaked());
   report(simulation, progress.seconds());
+  if (const RetiredCount left = count_retired(simulation.scene().particles); left.met > 0)
+    fmt::print(
+        stderr,
+        "swarf: warning: {} of {} particles that left came back to the tool or the work, which did not "
+        "feel them. If the force matters there, make retire.distance larger.\n",
+        left.met, left.all);
   if (exit_status == 3) fmt::print(stderr, "swarf: {}\n", ended);
   if (exit_status == 130)
     fmt::print("interrupted; continue with: swarf run {} --output {} --resume\n", options.deck, where);

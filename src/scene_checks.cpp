@@ -77,13 +77,17 @@ void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies) {
 }
 
 void check_sleep(const Deck& deck, const Scene& scene) {
-  if (!deck.sleep.distance) return;
-  const double least = 2 * (scene.cutoff + scene.hex_diagonal);
-  if (*deck.sleep.distance >= least) return;
-  throw DeckError(
-      fmt::format("{}:{}: sleep.distance: expected at least {:.3g} um, twice the reach of a kernel and a "
-                  "hex, got {:.3g} um. Make it larger, or leave it out so that nothing sleeps.",
-                  deck.file, find_line(deck.file, "[sleep]"), 1e6 * least, 1e6 * *deck.sleep.distance));
+  const auto check = [&](const std::string& section, const std::optional<double>& distance, double least,
+                         const char* measure, const char* without) {
+    if (!distance || *distance >= least) return;
+    throw DeckError(fmt::format(
+        "{}:{}: {}.distance: expected at least {:.3g} um, twice the reach of a kernel{}, got {:.3g} um. Make "
+        "it larger, or leave it out so that nothing {}.",
+        deck.file, find_line(deck.file, "[" + section + "]"), section, 1e6 * least, measure, 1e6 * *distance,
+        without));
+  };
+  check("sleep", deck.sleep.distance, 2 * (scene.cutoff + scene.hex_diagonal), " and a hex", "sleeps");
+  check("retire", deck.retire.distance, 2 * scene.cutoff, "", "leaves");
 }
 
 void check_tool_outside(const Deck& deck, const Scene& scene) {

@@ -62,7 +62,8 @@ class Simulation {
   void press_tool();
   void conduct();
   Sleep sleep_of() const;
-  void rest(); // decides what sleeps
+  void rest();   // decides what sleeps
+  void retire(); // and what leaves
   void fall_asleep();
   void plan_rest(double speed);
   void fade_waves(); // where sleep begins
@@ -94,7 +95,8 @@ class Simulation {
   long steps_at_sample = 0;
   PointSums of_particles, of_hexes; // at the last check()
   bool lists_due = false, rest_due = false;
-  double rested_at = 0; // s
+  double rested_at = 0;       // s
+  VectorField first_position; // of each particle's identity; 0 rows where nothing retires
   double moved_particles = 0;
   double initial_energy = 0, driving_speed = 0, slowest_drive = 0; // m/s
   double elastic_scale = 0;                                        // J

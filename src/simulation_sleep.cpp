@@ -1,5 +1,6 @@
 // What of the model sleeps, and when that is looked at again.
 #include "src/simulation.hpp"
+#include "swarf/retire.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -47,8 +48,19 @@ Sleep Simulation::sleep_of() const {
   return s;
 }
 
+// Before what is left is put to sleep: a chip that has gone is no action.
+void Simulation::retire() {
+  Retire r;
+  r.distance = Real(*deck.retire.distance), r.reach = Real(model.spacing);
+  r.elapsed = Real(now - rested_at), r.first_position = first_position;
+  const ToolAt tool{model.tool, pose()};
+  const VectorField work = with_images(find_work(model.particles, model.hexes, tool, r), image_maps(model));
+  retire_particles(model.particles, work, tool, r);
+}
+
 void Simulation::rest() {
   const Sleep sleep = sleep_of();
+  if (deck.retire.distance) retire();
   const VectorField action =
       with_images(find_action(model.particles, model.hexes, {model.tool, pose()}, sleep), image_maps(model));
   rest_particles(model.particles, model.tie, action, sleep);

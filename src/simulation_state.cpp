@@ -81,6 +81,10 @@ Simulation::Simulation(const Deck& from)
     : deck(from), model(build_scene(from)), particle_method(particle_method_of(from)),
       hex_method(hex_method_of(from)), gravity(to_vector(from.run.gravity)), status("status"),
       hex_status("hex_status"), conducts(conducts_heat(from)), mass_factor(from.run.mass_factor) {
+  if (deck.retire.distance) {
+    first_position = VectorField("first_position", model.particles.stored);
+    Kokkos::deep_copy(first_position, model.particles.position);
+  }
   const std::vector<double> drives = driving_speeds_of(deck, model);
   driving_speed = drives.empty() ? 0 : *std::max_element(drives.begin(), drives.end());
   slowest_drive = slowest_of(deck, drives);

@@ -1,4 +1,5 @@
 #include "src/summary.hpp"
+#include "swarf/retire.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -57,7 +58,9 @@ Json shapes_of(const Deck& deck, const Scene& scene) {
   const auto x = host_copy(scene.particles.position);
   const auto gap = host_copy(scene.particles.contact_gap);
   const auto body = host_copy(scene.particles.body);
-  for (int i : particle_rows(scene.particles)) grow(body(i), load_vector(x, i), gap(i));
+  const auto bits = host_copy(scene.particles.constraints);
+  for (int i : particle_rows(scene.particles))
+    if (!(bits(i) & retired_bit)) grow(body(i), load_vector(x, i), gap(i));
   const auto node = host_copy(scene.hexes.position);
   const auto corner = host_copy(scene.hexes.connectivity);
   const auto hex_body = host_copy(scene.hex_body);
@@ -105,6 +108,34 @@ Json energies_of(const ResultsFolder& folder) {
   return energies;
 }
 
+// What has left, and what it took along; inertia is that of the scaled mass.
+Json retired_of(const Deck& deck, const Particles& p) {
+  const auto mass = host_copy(p.points.mass), temperature = host_copy(p.points.temperature);
+  const auto internal = host_copy(p.points.internal_work), plastic = host_copy(p.points.plastic_work);
+  const auto material = host_copy(p.points.material), body = host_copy(p.body);
+  const auto bits = host_copy(p.constraints);
+  const auto velocity = host_copy(p.velocity);
+  double weight = 0, kinetic = 0, elastic = 0, dissipated = 0, heat = 0;
+  Triple momentum{0, 0, 0};
+  for (int i = 0; i < p.stored; ++i) {
+    if (!(bits(i) & retired_bit)) continue;
+    const double m = double(mass(i)), inertia = deck.run.mass_factor * m;
+    for (int c = 0; c < 3; ++c) {
+      momentum[std::size_t(c)] += inertia * double(velocity(i, c));
+      kinetic += 0.5 * inertia * double(velocity(i, c)) * double(velocity(i, c));
+    }
+    weight += m, elastic += double(internal(i)) - double(plastic(i)), dissipated += double(plastic(i));
+    heat += m * deck.materials[std::size_t(material(i))].specific_heat *
+            (double(temperature(i)) - deck.bodies[std::size_t(body(i))].temperature);
+  }
+  const RetiredCount count = count_retired(p);
+  Json book;
+  book.set("particles", count.all).set("met_since", count.met).set("mass", weight);
+  book.set("momentum_x", momentum[0]).set("momentum_y", momentum[1]).set("momentum_z", momentum[2]);
+  book.set("kinetic_energy", kinetic).set("elastic_energy", elastic);
+  return book.set("plastic_work", dissipated).set("heat", heat);
+}
+
 } // namespace
 
 void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulation& s,
@@ -125,9 +156,18 @@ void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulati
   summary.set("list_rebuilds", s.rebuilds()).set("leaked_particles", leaked);
   summary.set("hottest", largest(raw.at("max_temperature")));
   summary.set("largest_plastic_strain", largest(raw.at("max_plastic_strain")));
+  if (deck.retire.distance) summary.set("retired", retired_of(deck, scene.particles));
   summary.set("forces", forces_of(folder)).set("energies", energies_of(folder));
   summary.set("shapes", shapes_of(deck, scene)).set("cost", cost);
   write_file(folder.summary(), summary.text() + "\n");
+}
+
+RetiredCount count_retired(const Particles& p) {
+  RetiredCount count;
+  const auto bits = host_copy(p.constraints);
+  for (int i = 0; i < p.stored; ++i)
+    count.all += bits(i) & retired_bit ? 1 : 0, count.met += bits(i) & met_bit ? 1 : 0;
+  return count;
 }
 
 void report(const Simulation& s, double seconds) {

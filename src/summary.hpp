@@ -10,6 +10,12 @@ namespace swarf {
 void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulation& simulation,
                    const std::string& ended, double seconds, int leaked);
 
+// Particles that have left for good, and of them those that the tool or the work has met since.
+struct RetiredCount {
+  int all = 0, met = 0;
+};
+RetiredCount count_retired(const Particles&);
+
 // Per-phase times and speed.
 void report(const Simulation& simulation, double seconds);
 

@@ -102,7 +102,8 @@ void write_particles(const fs::path& file, const FrameData& frame) {
   add(grid->GetPointData(), "velocity", particles.velocity, 3);
   add(grid->GetPointData(), "contact_force", particles.contact_force, 3);
   add(grid->GetPointData(), "body", particles.body),
-      add(grid->GetPointData(), "identity", particles.identity);
+      add(grid->GetPointData(), "identity", particles.identity),
+      add(grid->GetPointData(), "retired", particles.retired);
   set_time(grid, frame);
   write_data<vtkXMLUnstructuredGridWriter>(file, grid);
 }

@@ -206,6 +206,8 @@ const std::vector<DeckFault> faults = {
     fault("initial_frame_without_correction", "[run]",
           "[particles]\nkernel_frame = \"initial\"\ncorrection = false\n[run]", "particles.correction",
           {"would be strained"}, "correction ="),
+    fault("retire_without_sleep", "[run]", "[retire]\ndistance = \"60 um\"\n[run]", "retire.distance",
+          {"needs sleep.distance"}, "distance = \"60 um\""),
     fault("initial_frame_with_xsph", "[run]", "[particles]\nkernel_frame = \"initial\"\nxsph = 0.5\n[run]",
           "particles.xsph", {"present neighbours"}, "xsph"),
     fault("damage_missing", "[run]", "[hexes]\ndelete_failed = true\n[run]", "hexes.delete_failed",

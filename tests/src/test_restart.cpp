@@ -133,6 +133,20 @@ TEST(Restart, killed_while_parts_sleep) {
   expect_equal(folder / "whole", folder / "two threads");
 }
 
+TEST(Restart, killed_while_chip_leaves) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(
+      folder, edit_small_deck({{"[tool]", loose_chip(372, -1.2) + "[tool]"},
+                               {"[run]", "[sleep]\ndistance = \"32 um\"\n[retire]\ndistance = \"14 um\"\n"
+                                         "[run]"}}));
+  const std::size_t whole = run_whole(deck, folder / "whole");
+  EXPECT_THAT(read_bytes(folder / "whole" / "summary.json"), HasSubstr("\"retired\""));
+  run_with_kills(deck, folder / "killed", whole, 3);
+  expect_equal(folder / "whole", folder / "killed");
+  run_whole(deck, folder / "two threads", 2);
+  expect_equal(folder / "whole", folder / "two threads");
+}
+
 TEST(Restart, threads_and_repetition_change_no_byte) {
   const TemporaryFolder folder;
   const std::string deck = write_deck(folder, small_deck);

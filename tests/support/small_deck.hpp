@@ -103,4 +103,14 @@ inline std::string edit_small_deck(const Edits& edits) {
   return text;
 }
 
+// A piece of 3 x 3 x 2 particles in front of the tooth, `x` um from the axis, that flies along x; m/s.
+inline std::string loose_chip(double x, double velocity) {
+  return "[[body]]\nname = \"chip\"\nshape = \"block\"\nfill = \"particles\"\nmaterial = \"ti64\"\n"
+         "origin = [\"" +
+         std::to_string(x) +
+         " um\", \"-4 um\", \"2.5 um\"]\nsize = [\"7.5 um\", \"7.5 um\", \"5 um\"]\n"
+         "spacing = \"2.5 um\"\nvelocity = [\"" +
+         std::to_string(velocity) + " m/s\", \"0 m/s\", \"0 m/s\"]\n";
+}
+
 } // namespace swarf::test
