@@ -65,12 +65,12 @@ def draw(found):
     components = [smooth(numpy.array(bins[name]), width)[0] for name in ("force_x", "force_y")]
     middles = smooth(angle, width)[0]
     curve.plot(middles, numpy.hypot(*components), color="black", linewidth=2, label=f"whole pass, means over {width}°")
-    if "asleep" in found:
-        asleep = found["asleep"]["bins"]
-        curve.plot(smooth(numpy.array(asleep["immersion"]), width)[0],
-                   numpy.hypot(*(smooth(numpy.array(asleep[name]), width)[0] for name in ("force_x", "force_y"))),
-                   color="black", linewidth=1.2, linestyle="--",
-                   label=f"its far part asleep, means over {width}°")
+    for name, style, what in (("asleep", "--", "its far part asleep"), ("retired", ":", "its spent chip retired as well")):
+        if name in found:
+            part = found[name]["bins"]
+            curve.plot(smooth(numpy.array(part["immersion"]), width)[0],
+                       numpy.hypot(*(smooth(numpy.array(part[axis]), width)[0] for axis in ("force_x", "force_y"))),
+                       color="black", linewidth=1.2, linestyle=style, label=f"{what}, means over {width}°")
     for windows, colour, marker in zip(found["windows"], COLOURS, MARKERS):
         rows = windows["windows"]
         curve.errorbar([one["immersion"] for one in rows], [one["force_planar"] for one in rows],
@@ -193,25 +193,47 @@ def write_probes(found):
             "|---:|---:|---:|---:|---:|", *lines, ""]
 
 
-def write_asleep(found):
-    """Where both have been, in means over 10 deg: does sleep change the force?"""
-    whole, asleep = found["whole"], found["asleep"]
-    force = {angle: value for angle, value in zip(whole["bins"]["immersion"], planar(whole["bins"]))}
-    pairs = numpy.array([(value, force[angle]) for angle, value in
-                         zip(asleep["bins"]["immersion"], planar(asleep["bins"])) if 0 < angle < 180 and angle in force])
+def compare(part, reference):
+    """Where both have been, in means over 10 deg: what the part changes in the force."""
+    force = dict(zip(reference["bins"]["immersion"], planar(reference["bins"])))
+    pairs = numpy.array([(value, force[angle]) for angle, value in zip(part["bins"]["immersion"], planar(part["bins"]))
+                         if 0 < angle < 180 and angle in force])
     means = pairs[:len(pairs) // 10 * 10].reshape(-1, 10, 2).mean(axis=1)
     ratio = means[:, 0].sum() / means[:, 1].sum()
     error = (means[:, 0] - ratio * means[:, 1]).std(ddof=1) * math.sqrt(len(means)) / means[:, 1].sum()
-    cost = ""
-    if "core_seconds" in whole:
-        cost = (f" It took {asleep['core_seconds']:.0f} core-seconds: {100 * asleep['core_seconds'] / whole['core_seconds']:.0f}"
-                " % of the whole.")
+    return (f"Mean force {percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of {len(means)} stretches "
+            f"of 10 deg, which differ by {100 * math.sqrt(((means[:, 0] / means[:, 1] - 1) ** 2).mean()):.0f} % (root mean "
+            f"square)")
+
+
+def write_cost(part, whole):
+    if "core_seconds" not in whole:
+        return ""
+    return (f" It took {part['core_seconds']:.0f} core-seconds: {100 * part['core_seconds'] / whole['core_seconds']:.0f}"
+            " % of the whole.")
+
+
+def write_asleep(found):
+    whole, asleep = found["whole"], found["asleep"]
     return ["## The whole pass with its far part asleep", "",
             f"`[sleep] distance = \"{asleep['distance']}\"`: {100 * asleep['awake']:.0f} % of the particles were awake on the "
-            f"mean, near the tooth that cuts and near the other one, which leaves.{cost} Mean force {percent(ratio - 1)}, "
-            f"standard error {100 * error:.1f} % from the scatter of {len(means)} stretches of 10 deg, which differ by "
-            f"{100 * math.sqrt(((means[:, 0] / means[:, 1] - 1) ** 2).mean()):.0f} % (root mean square); worst energy residual "
-            f"{100 * asleep['energy_residual']:.2f} % of the external work.", ""]
+            f"mean, near the tooth that cuts and near the other one, which leaves.{write_cost(asleep, whole)} "
+            f"{compare(asleep, whole)}; worst energy residual {100 * asleep['energy_residual']:.2f} % of the external work.",
+            ""]
+
+
+def write_retired(found):
+    whole, part = found["whole"], found["retired"]
+    left = part["retired"]
+    lines = ["## The whole pass with its spent chip retired as well", "",
+             f"`[retire] distance = \"{part['retire_distance']}\"`: {100 * part['awake']:.0f} % of the particles were awake on "
+             f"the mean.{write_cost(part, whole)} {compare(part, whole)}; worst energy residual "
+             f"{100 * part['energy_residual']:.2f} % of the external work.", "",
+             f"{left['particles']} particles left. Had they flown on in a straight line, {left['met_since']} of them would have "
+             f"met the tool or the work by the end, which the forces lack."]
+    if "asleep" in found:
+        lines += ["", f"Against the pass with its far part asleep: {compare(part, found['asleep'])}."]
+    return lines + [""]
 
 
 def write_scene(scene):
@@ -256,6 +278,7 @@ def write_page(found):
                   *write_table(windows), ""]
     lines += write_probes(found)
     lines += write_asleep(found) if "asleep" in found else []
+    lines += write_retired(found) if "retired" in found else []
     lines += write_scene(found["scene"]) if "scene" in found else []
     (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
 

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Runs a pass as a whole, with its far part asleep, and as windows, and compares their forces: results.json beside this file.
+"""Runs a pass as a whole, with its far part asleep, with its spent chip retired as well, and as windows, and compares
+their forces: results.json beside this file. What it holds of runs that are not here stays.
 
-usage: measure.py PROGRAM [--scene] [--no-run]
+usage: measure.py PROGRAM [--scene] [--only NAME] [--no-run]
 --scene: runs windows of the whole scene too, each a quarter of an hour of one core
+--only NAME: runs only that one of the parts "asleep" and "retired"
 --no-run: measures what has run, also an unfinished whole pass
 """
 import csv
@@ -25,25 +27,31 @@ WIDTH = 6  # deg
 # them makes the difference.
 PROBES = {"probe_ahead": {"run_in": 10, "ahead": 21}, "probe_run_in": {"run_in": 40, "ahead": 7}}
 PROBED = 150  # deg
-SLEEP_DISTANCE = "60 um"
+SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"
+PARTS = {"asleep": {"sleep": {"distance": SLEEP_DISTANCE}},
+         "retired": {"sleep": {"distance": SLEEP_DISTANCE}, "retire": {"distance": RETIRE_DISTANCE}}}
 BIN = 1.0  # deg
 
 
-def write_deck(name, deck, section, keys):
+def write_deck(name, deck, sections):
     RESULTS.mkdir(parents=True, exist_ok=True)
     text = re.sub(r"\n\[windows\].*", "", deck.read_text(), flags=re.S)
     file = RESULTS / f"{name}.toml"
-    file.write_text(f"{text}\n[{section}]\n" + "".join(f'{key} = "{value}"\n' for key, value in keys.items()))
+    for section, keys in sections.items():
+        text += f"\n[{section}]\n" + "".join(f'{key} = "{value}"\n' for key, value in keys.items())
+    file.write_text(text)
     return file
 
 
 def run_windows(program, name, deck, windows):
     keys = {key: f"{value} deg" for key, value in windows.items()}
-    subprocess.run([program, "run", write_deck(name, deck, "windows", keys), "--output", RESULTS / name, "--threads", "1",
+    subprocess.run([program, "run", write_deck(name, deck, {"windows": keys}), "--output", RESULTS / name, "--threads", "1",
                     "--no-pictures", "--resume"], check=True)
 
 
 def run(program):
+    if "--only" in sys.argv:
+        return run_part(program, sys.argv[sys.argv.index("--only") + 1])
     for run_in in RUN_INS:
         run_windows(program, f"run_in_{run_in}", DECK,
                     {"first": 10, "last": 170, "step": 20, "width": WIDTH, "run_in": run_in})
@@ -51,8 +59,13 @@ def run(program):
         run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
-    run_whole(program, "asleep", write_deck("asleep", DECK, "sleep", {"distance": SLEEP_DISTANCE}))
+    for name in PARTS:
+        run_part(program, name)
     run_whole(program, "whole", DECK)
+
+
+def run_part(program, name):
+    run_whole(program, name, write_deck(name, DECK, PARTS[name]))
 
 
 def run_whole(program, name, deck):
@@ -118,13 +131,17 @@ def measure_probe(name):
             "core_seconds": one[1]["core_seconds"], "bins": bins(samples)}
 
 
-def measure_asleep():
-    summary = json.loads((RESULTS / "asleep" / "summary.json").read_text())
+def measure_part(name):
+    summary = json.loads((RESULTS / name / "summary.json").read_text())
     cost = summary["cost"]
     moved = cost["particle_steps_per_second"] * cost["wall_seconds"]
-    return {"distance": SLEEP_DISTANCE, "core_seconds": cost["cpu_seconds"], "bins": bins(read_samples(RESULTS / "asleep")),
-            "awake": moved / (summary["particles"] * cost["steps"]),
-            "energy_residual": summary["energies"]["worst_residual_over_external"]}
+    found = {"distance": SLEEP_DISTANCE, "core_seconds": cost["cpu_seconds"], "bins": bins(read_samples(RESULTS / name)),
+             "awake": moved / (summary["particles"] * cost["steps"]),
+             "energy_residual": summary["energies"]["worst_residual_over_external"]}
+    if "retired" in summary:
+        found |= {"retire_distance": RETIRE_DISTANCE,
+                  "retired": {key: summary["retired"][key] for key in ("particles", "met_since")}}
+    return found
 
 
 def measure_scene():
@@ -142,9 +159,7 @@ def measure_scene():
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
 
 
-def main():
-    if "--no-run" not in sys.argv:
-        run(pathlib.Path(sys.argv[1]).resolve())
+def measure_pass():
     whole = read_samples(RESULTS / "whole")
     found = {"deck": str(DECK.relative_to(ROOT)), "whole": {"end": whole[-1][0], "bins": bins(whole)},
              "windows": [measure_windows(run_in, whole) for run_in in RUN_INS]}
@@ -153,8 +168,19 @@ def main():
         found["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
                            "steps": summary["steps"]}
     found["probes"] = [measure_probe(name) for name in PROBES if is_complete(RESULTS / name / f"window_{PROBED:03d}")]
-    if is_complete(RESULTS / "asleep"):
-        found["asleep"] = measure_asleep()
+    return found
+
+
+def main():
+    if "--no-run" not in sys.argv:
+        run(pathlib.Path(sys.argv[1]).resolve())
+    kept = HERE / "results.json"
+    found = json.loads(kept.read_text()) if kept.exists() else {}
+    if (RESULTS / "whole" / "history.csv").exists():
+        found |= measure_pass()
+    for name in PARTS:
+        if is_complete(RESULTS / name):
+            found[name] = measure_part(name)
     if (RESULTS / "scene" / "windows.csv").exists():
         found["scene"] = measure_scene()
     text = json.dumps(found, indent=1)
