@@ -1,7 +1,7 @@
-// sigma K 45, D 6, impedance 8, R 6, V 1: 66. With artificial stress a point in tension, as nine of ten are
-// here, takes five Jacobi sweeps: 15 rotations of 67, and 77 for the test and the sum. Reals: stress 6,
-// correction 9, velocity_gradient 9, density, mass in; pair_stress 9, strain_rate 6, artificial_stress 6,
-// impedance 2, volume out.
+// sigma K 45, D 6, impedance 8, V 1: 60. With artificial stress R 6 and, for a point in tension, as nine of
+// ten are here, five Jacobi sweeps: 15 rotations of 67, and 77 for the test and the sum. Reals: stress 6,
+// density, mass in, velocity_gradient 9 and pair_stress 9 in and out, impedance 3, volume out, and
+// artificial_stress 6 out.
 #include "bench/support/particle_cube.hpp"
 
 namespace swarf::bench {
@@ -11,8 +11,20 @@ void bench_prepare_pair_state(benchmark::State& state, Real epsilon) {
   const ParticleCube& c = particle_cube(state.range(0));
   ParticleMethod method = c.method;
   method.artificial_stress = epsilon;
-  for (auto _ : state) prepare_pair_state(c.particles, c.materials, method);
-  report(state, c.count(), {66.0 + (epsilon > 0 ? 15 * 67 + 77 : 0), 50.0 * sizeof(Real) + sizeof(int)});
+  Particles particles = c.particles;
+  if (epsilon == 0) particles.artificial_stress = SymmetricField();
+  velocity_gradient(particles, c.neighbors, method);
+  const TensorField K = Kokkos::create_mirror(particles.pair_stress);
+  Kokkos::deep_copy(K, particles.pair_stress);
+  for (auto _ : state) {
+    prepare_pair_state(particles, c.materials, method);
+    state.PauseTiming(); // sigma K has taken the place of K: anew, or it would grow without bound
+    Kokkos::deep_copy(particles.pair_stress, K);
+    state.ResumeTiming();
+  }
+  const bool tensile = epsilon > 0;
+  report(state, c.count(),
+         {60.0 + (tensile ? 6 + 15 * 67 + 77 : 0), (48 + (tensile ? 6 : 0)) * sizeof(Real) + sizeof(int)});
 }
 BENCHMARK_CAPTURE(bench_prepare_pair_state, plain, Real(0))->Name("prepare_pair_state")->Apply(all_sizes);
 BENCHMARK_CAPTURE(bench_prepare_pair_state, artificial, Real(0.3))

@@ -82,31 +82,52 @@ inline int number_taken(const IndexField& place) {
   return taken;
 }
 
+// What permute copies to, for all fields of a sort. A few columns at a time: a copy of the widest field would
+// be the most memory that a run asks for.
+struct PermuteScratch {
+  static constexpr std::size_t columns = 3;
+  View<Real* [columns]> rows;
+
+  explicit PermuteScratch(const KeyedRows& from)
+      : rows(Kokkos::view_alloc(Kokkos::WithoutInitializing, "permute"), from.extent(0)) {}
+
+  template <class T, std::size_t width>
+  auto of() const {
+    static_assert(width * sizeof(T) <= columns * sizeof(Real));
+    using Copy = Kokkos::View<T* [width], ExecSpace::memory_space, Kokkos::MemoryUnmanaged>;
+    return Copy(reinterpret_cast<T*>(rows.data()), rows.extent(0));
+  }
+};
+
 // Row i becomes what row from(i).row was.
 template <class T>
-void permute(const View<T*>& field, const KeyedRows& from) {
+void permute(const View<T*>& field, const KeyedRows& from, const PermuteScratch& scratch) {
   if (field.extent(0) == 0) return;
   const int rows = int(from.extent(0));
-  const View<T*> copy(Kokkos::view_alloc(Kokkos::WithoutInitializing, "copy"), rows);
+  const auto copy = scratch.of<T, 1>();
   Kokkos::parallel_for(
-      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) { copy(i) = field(from(i).row); });
+      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) { copy(i, 0) = field(from(i).row); });
   Kokkos::parallel_for(
-      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) { field(i) = copy(i); });
+      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) { field(i) = copy(i, 0); });
 }
 
 template <class T, std::size_t columns>
-void permute(const View<T* [columns]>& field, const KeyedRows& from) {
+void permute(const View<T* [columns]>& field, const KeyedRows& from, const PermuteScratch& scratch) {
   if (field.extent(0) == 0) return;
+  constexpr std::size_t width = columns < PermuteScratch::columns ? columns : PermuteScratch::columns;
   const int rows = int(from.extent(0));
-  const View<T* [columns]> copy(Kokkos::view_alloc(Kokkos::WithoutInitializing, "copy"), rows);
-  Kokkos::parallel_for(
-      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) {
-        for (std::size_t c = 0; c < columns; ++c) copy(i, c) = field(from(i).row, c);
-      });
-  Kokkos::parallel_for(
-      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) {
-        for (std::size_t c = 0; c < columns; ++c) field(i, c) = copy(i, c);
-      });
+  const auto copy = scratch.of<T, width>();
+  for (std::size_t first = 0; first < columns; first += width) {
+    const std::size_t taken = Kokkos::min(width, columns - first);
+    Kokkos::parallel_for(
+        "permute", Range(0, rows), KOKKOS_LAMBDA(int i) {
+          for (std::size_t c = 0; c < taken; ++c) copy(i, c) = field(from(i).row, first + c);
+        });
+    Kokkos::parallel_for(
+        "permute", Range(0, rows), KOKKOS_LAMBDA(int i) {
+          for (std::size_t c = 0; c < taken; ++c) field(i, first + c) = copy(i, c);
+        });
+  }
 }
 
 } // namespace swarf

@@ -2,9 +2,9 @@
 // Cleary & Monaghan (1999): conservative pair by pair, monotone, and the flux is continuous where k jumps.
 // e.K_i e, e the direction of the pair: near a free surface, where neighbours are missing, the plain sum
 // conducts too little along the surface (a plate of 3 particles: 15 %; so corrected: 5 % too much), and among
-// tied particles, whose volumes fall along the ramp, too little across it. Reads temperature, correction,
-// volume, smoothing_length, mass. Writes heat (J, rows [0, count + tied)) and the temperature of rows [0,
-// count); heat_state and heat_shape are its own.
+// tied particles, whose volumes fall along the ramp, too little across it. Reads temperature, heat_shape
+// (velocity_gradient.cpp), volume, smoothing_length, mass. Writes heat (J, rows [0, count + tied)) and the
+// temperature of rows [0, count); heat_state is its own.
 #include "swarf/heat.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
@@ -16,7 +16,6 @@ void prepare_heat_state(const Particles& p, const MaterialTable& materials) {
   const MaterialPoints points = p.points;
   Kokkos::parallel_for(
       "prepare_heat_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
-        store_symmetric(p.heat_shape, i, symmetric_part(load_tensor(p.correction, i)));
         p.heat_state(i, 0) = points.temperature(i);
         p.heat_state(i, 1) = materials(points.material(i)).conductivity;
       });

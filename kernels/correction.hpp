@@ -1,6 +1,6 @@
 // Correction of the kernel's gradient (Randles & Libersky 1996), shared by the gradients of both frames.
 #pragma once
-#include "swarf/tensor.hpp"
+#include "swarf/kernels.hpp"
 
 namespace swarf {
 
@@ -20,6 +20,12 @@ KOKKOS_INLINE_FUNCTION Tensor3 correction_from(const Tensor3& A) {
   Real* b = &blend.xx;
   for (int c = 0; c < 9; ++c) b[c] += share * (k[c] - b[c]);
   return blend;
+}
+
+// To where the forces will have sigma K, and to where conduct_heat looks for it.
+KOKKOS_INLINE_FUNCTION void store_correction(const Particles& p, int i, const Tensor3& K) {
+  store_tensor(p.pair_stress, i, K);
+  if (p.heat_shape.extent(0) > 0) store_symmetric(p.heat_shape, i, symmetric_part(K));
 }
 
 } // namespace swarf

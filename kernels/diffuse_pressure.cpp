@@ -3,8 +3,8 @@
 // see: nothing else takes them away. The diffusion acts on what two neighbours' gradients do not explain, so
 // that a smooth field keeps its gradient: Antuono et al. (2010) for the density of a fluid. c' and h:
 // mass-scaled wave speed and smoothing length, means of the pair; the sum of V_i p_i is kept. Reads stress,
-// correction, volume, smoothing_length, impedance; writes stress; moves the elastic energy that is lost from
-// internal_work to hourglass_work.
+// K in pair_stress, volume, smoothing_length, impedance; writes stress; moves the elastic energy that is lost
+// from internal_work to hourglass_work.
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
@@ -58,7 +58,7 @@ void find_gradient(const Particles& p, const Neighbors& n) {
         const auto sum = sum_gradient(p, n, cluster, lanes);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
-          const Vector3 g = multiply(load_tensor(p.correction, i), lane_of(sum, lane));
+          const Vector3 g = multiply(load_tensor(p.pair_stress, i), lane_of(sum, lane));
           p.pressure_state(i, 1) = g.x, p.pressure_state(i, 2) = g.y, p.pressure_state(i, 3) = g.z;
         }
       });

@@ -145,8 +145,10 @@ void find_neighbors(Neighbors& n, const Particles& p) {
   const Search s = make_search(p, n.cutoff);
   walk(n, s, p.position, false);
   const long total = scan_starts(n);
-  if (long(n.neighbor.extent(0)) < total)
+  if (long(n.neighbor.extent(0)) < total) {
+    n.neighbor = IndexField(); // gone before the next: the lists are the largest field
     n.neighbor = IndexField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbor"), total + total / 16);
+  }
   walk(n, s, p.position, true);
   const int rows = p.total;
   if (int(n.build_position.extent(0)) < rows) n.build_position = VectorField("build_position", rows);

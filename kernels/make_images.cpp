@@ -28,11 +28,12 @@ int append_sources(const VectorField& position, const SeenRows& seen, const Imag
 
 void ensure_image_rows(Particles& p, int rows) {
   if (int(p.position.extent(0)) >= rows) return;
-  const int room = rows + rows / 8;
+  const int room = rows + (rows - p.stored) / 8;
   ensure_rows(p.position, room), ensure_rows(p.velocity, room);
   ensure_rows(p.smoothing_length, room), ensure_rows(p.volume, room);
-  ensure_rows(p.pair_stress, room), ensure_rows(p.strain_rate, room);
-  ensure_rows(p.artificial_stress, room), ensure_rows(p.impedance, room);
+  ensure_rows(p.points.velocity_gradient, room), ensure_rows(p.pair_stress, room);
+  ensure_rows(p.impedance, room);
+  if (p.artificial_stress.extent(0) > 0) ensure_rows(p.artificial_stress, room);
   if (p.hourglass_displacement.extent(0) > 0) ensure_rows(p.hourglass_displacement, room);
   if (p.deformation_gradient.extent(0) > 0) ensure_rows(p.deformation_gradient, room);
   if (p.pressure_state.extent(0) > 0) ensure_rows(p.pressure_state, room);

@@ -49,7 +49,8 @@ KOKKOS_FORCEINLINE_FUNCTION PairViscosity pair_viscosity(const Cluster& i, const
                                                          const Vector3Of<Pack>& x_ij, const Pack& xv,
                                                          const Pack& inverse_h, const ParticleMethod& m) {
   const Pack zero(Real(0)), half(Real(0.5));
-  const Pack beyond_linear = xv - half * quadratic_form(i.D + broadcast_symmetric(p.strain_rate, j), x_ij);
+  const auto D = i.D + broadcast_symmetric(p.points.velocity_gradient, j);
+  const Pack beyond_linear = xv - half * quadratic_form(D, x_ij);
   Pack approach = Kokkos::min(xv, zero);
   if (m.reconstruct_viscosity) approach = Kokkos::max(approach, Kokkos::min(beyond_linear, zero));
   const Pack r2h2 = dot(x_ij, x_ij) * inverse_h * inverse_h;
@@ -140,8 +141,8 @@ KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& 
                   .d = T::stiff && !T::initial ? lanes.load_vector(p.hourglass_displacement)
                                                : Vector3Of<Pack>{zero, zero, zero},
                   .F = T::stiff && T::initial ? lanes.load_tensor(p.deformation_gradient) : Tensor3Of<Pack>{},
-                  .D = lanes.load_symmetric(p.strain_rate),
-                  .R = lanes.load_symmetric(p.artificial_stress),
+                  .D = load_symmetric(p.points.velocity_gradient, lanes),
+                  .R = T::artificial ? lanes.load_symmetric(p.artificial_stress) : Symmetric3Of<Pack>{},
                   .inverse_h = Pack(Real(1)) / lanes.load(p.smoothing_length),
                   .impedance = lanes.load(p.impedance, 0),
                   .density = lanes.load(p.impedance, 1),

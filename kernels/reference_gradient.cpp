@@ -4,11 +4,10 @@
 //   L_i = [sum_j V0_j (v_j - v_i) (x) grad W(X_ij)] K0_i F_i^-1
 // The correction J F^-T K0 makes sigma the first Piola-Kirchhoff stress times K0: the forces of
 // particle_forces, with grad W(X_ij), then do the work of the stresses, V0 J sigma : L.
-// Reads position, velocity, volume (V0), smoothing_length, build_position (X). Writes velocity_gradient,
-// correction, deformation_gradient, rows [0, count + tied). Where J <= 0 the density becomes negative:
-// update_stress reports it.
+// Reads position, velocity, volume (V0), smoothing_length, build_position (X). Writes velocity_gradient, the
+// correction to pair_stress and heat_shape, deformation_gradient, rows [0, count + tied). Where J <= 0 the
+// density becomes negative: update_stress reports it.
 #include "correction.hpp"
-#include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
 namespace swarf {
@@ -63,7 +62,7 @@ void reference_gradient(const Particles& p, const Neighbors& n) {
           const Real J = determinant(F);
           const Tensor3 inverse_F = inverse(F, J), cofactor = transpose(inverse(F, Real(1))); // J F^-T
           store_tensor(p.deformation_gradient, i, F);
-          store_tensor(p.correction, i, multiply(cofactor, K0));
+          store_correction(p, i, multiply(cofactor, K0));
           store_tensor(p.points.velocity_gradient, i,
                        multiply(multiply(lane_of(s.velocity, lane), K0), inverse_F));
         }

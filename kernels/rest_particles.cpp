@@ -19,7 +19,6 @@ SWARF_FN void stop_particle(const Particles& p, int i, Real mass_factor) {
 // A sleeping row shows its neighbours no motion, and is an insulator to them.
 SWARF_FN void still(const Particles& p, int i) {
   store_tensor(p.points.velocity_gradient, i, Tensor3{});
-  store_symmetric(p.strain_rate, i, Symmetric3{});
   store_vector(p.velocity, i, {0, 0, 0});
   if (p.hourglass_rate.extent(0) > 0) store_vector(p.hourglass_rate, i, {0, 0, 0});
   if (p.heat_state.extent(0) > 0) p.heat_state(i, 1) = 0;
@@ -63,8 +62,9 @@ int rows_before(const KeyedRows& order, Rank rank) {
 
 void rest_particles(Particles& p, const Tie& tie, const VectorField& action, const Sleep& s) {
   const KeyedRows order = rank_rows(p, action, s);
-  p.for_each_field([&](const char*, auto& field) { permute(field, order); });
-  p.for_each_pair_field([&](const char*, auto& field) { permute(field, order); });
+  const PermuteScratch scratch(order);
+  p.for_each_field([&](const char*, auto& field) { permute(field, order, scratch); });
+  p.for_each_pair_field([&](const char*, auto& field) { permute(field, order, scratch); });
   p.count = rows_before(order, awake_tied);
   p.tied = rows_before(order, listed) - p.count;
   p.listed = rows_before(order, far);

@@ -45,9 +45,10 @@ void sort_particles(Particles& p, Real cell_size) {
   const CellGrid grid = cell_grid(p.position, p.count, cell_size);
   const KeyedRows sorted =
       sort_rows(p.position, first_rows(p.count), HilbertKey{grid, bits_of(p.position, p.count, grid)});
-  p.for_each_field([&](const char*, auto& field) { permute(field, sorted); });
+  const PermuteScratch scratch(sorted);
+  p.for_each_field([&](const char*, auto& field) { permute(field, sorted, scratch); });
   if (p.damping.extent(0) > 0) // what falls asleep keeps them
-    p.for_each_pair_field([&](const char*, auto& field) { permute(field, sorted); });
+    p.for_each_pair_field([&](const char*, auto& field) { permute(field, sorted, scratch); });
 }
 
 } // namespace swarf

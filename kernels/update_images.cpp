@@ -25,7 +25,8 @@ void update_image_state(const Particles& p, const Neighbors& n, const ImagePlane
   const int first = n.image_first;
   const bool initial_frame = p.deformation_gradient.extent(0) > 0;
   const auto source = n.image_source;
-  const bool hourglass = p.hourglass_displacement.extent(0) > 0;
+  const bool hourglass = p.hourglass_displacement.extent(0) > 0, tensile = p.artificial_stress.extent(0) > 0;
+  const TensorField D = p.points.velocity_gradient;
   for (int k = 0; k < n.planes; ++k) {
     const Tensor3 R = planes[k].to_image.R;
     Kokkos::parallel_for(
@@ -33,8 +34,9 @@ void update_image_state(const Particles& p, const Neighbors& n, const ImagePlane
           const int i = source(image), to = first + image;
           const Tensor3 stress = load_tensor(p.pair_stress, i);
           store_tensor(p.pair_stress, to, multiply(multiply(R, stress), transpose(R)));
-          store_symmetric(p.strain_rate, to, rotate(R, load_symmetric(p.strain_rate, i)));
-          store_symmetric(p.artificial_stress, to, rotate(R, load_symmetric(p.artificial_stress, i)));
+          store_tensor(D, to, to_tensor(rotate(R, symmetric_part(load_tensor(D, i)))));
+          if (tensile)
+            store_symmetric(p.artificial_stress, to, rotate(R, load_symmetric(p.artificial_stress, i)));
           for (int c = 0; c < 3; ++c) p.impedance(to, c) = p.impedance(i, c);
           if (hourglass)
             store_vector(p.hourglass_displacement, to, multiply(R, load_vector(p.hourglass_displacement, i)));

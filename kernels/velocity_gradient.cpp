@@ -1,9 +1,8 @@
 // L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] K_i,  K_i = [sum_j V_j (x_j - x_i) (x) grad W_ij]^-1
 // Randles & Libersky (1996): exact for a linear velocity field on any set of neighbours.
-// Reads position, velocity, volume, smoothing_length. Writes velocity_gradient, correction, rows [0, count +
-// tied).
+// Reads position, velocity, volume, smoothing_length. Writes velocity_gradient, K to pair_stress and
+// heat_shape, rows [0, count + tied).
 #include "correction.hpp"
-#include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
 namespace swarf {
@@ -62,7 +61,7 @@ void velocity_gradient(const Particles& p, const Neighbors& n, const ParticleMet
           const int i = lanes.first + lane;
           const Tensor3 A = to_tensor(lane_of(s.A, lane));
           const Tensor3 K = correct ? correction_from(A) : identity3();
-          store_tensor(p.correction, i, K);
+          store_correction(p, i, K);
           store_tensor(p.points.velocity_gradient, i, multiply(lane_of(s.L, lane), K));
         }
       });

@@ -62,8 +62,8 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
     if (name == "reference_summation" && deck.particles.density != "summation") return;
     allocate(name, field);
   });
-  allocate("correction", p.correction), allocate("pair_stress", p.pair_stress);
-  allocate("strain_rate", p.strain_rate), allocate("artificial_stress", p.artificial_stress);
+  allocate("pair_stress", p.pair_stress);
+  if (deck.particles.artificial_stress > 0) allocate("artificial_stress", p.artificial_stress);
   if (deck.particles.kernel_frame == "initial") allocate("deformation_gradient", p.deformation_gradient);
   if (deck.particles.xsph > 0) allocate("drift_velocity", p.drift_velocity);
   if (deck.particles.pressure_diffusion > 0) allocate("pressure_state", p.pressure_state);

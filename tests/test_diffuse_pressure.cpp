@@ -13,8 +13,8 @@ ParticleBlock pressed_block(Real disorder) {
   ParticleBlock b = particle_block(8, 7, 6, Real(1e-3), disorder);
   b.particles.pressure_state = View<Real* [4]>("pressure_state", b.particles.count);
   build_lists(b);
+  prepare_pair_state(b.particles, b.materials, b.method); // impedance and volume; it takes the place of K
   velocity_gradient(b.particles, b.neighbors, b.method);
-  prepare_pair_state(b.particles, b.materials, b.method);
   return b;
 }
 

@@ -46,6 +46,8 @@ TEST(MakeImages, MirrorContinuesAnOddField) {
   b.method.correction = false;
   build_lists(b, planes);
   EXPECT_EQ(b.neighbors.images, 7 * 7 * 3);
+  EXPECT_LE(int(b.particles.pair_stress.extent(0)),
+            b.particles.total + b.neighbors.images / 8); // no more room
   velocity_gradient(b.particles, b.neighbors, b.method);
   const auto L = host_copy(b.particles.points.velocity_gradient);
   const auto place = host_copy(b.particles.position);

@@ -33,6 +33,9 @@ struct Cost {
   double flops = 0; // of pairs within the support only
   double bytes = 0;
   double lane_flops = 0; // also of those that fill lanes and are cut off by the support; 0: the same
+  // On a GPU, where each particle has its own list: all pairs of the list, and the list. `gathered` counts
+  // the fields of a neighbour for each pair that reads them, as if no cache held any. 0: as flops and bytes.
+  double gpu_flops = 0, gpu_bytes = 0, gathered_bytes = 0;
 };
 
 inline void report(benchmark::State& state, double items, const Cost& cost) {
@@ -42,6 +45,9 @@ inline void report(benchmark::State& state, double items, const Cost& cost) {
   state.counters["flops_per_item"] = cost.flops;
   state.counters["bytes_per_item"] = cost.bytes;
   state.counters["lane_flops_per_item"] = cost.lane_flops > 0 ? cost.lane_flops : cost.flops;
+  state.counters["gpu_flops_per_item"] = cost.gpu_flops > 0 ? cost.gpu_flops : cost.flops;
+  state.counters["gpu_bytes_per_item"] = cost.gpu_bytes > 0 ? cost.gpu_bytes : cost.bytes;
+  state.counters["gathered_bytes_per_item"] = cost.gathered_bytes > 0 ? cost.gathered_bytes : cost.bytes;
   state.counters["FLOP/s"] = Counter(items * cost.flops, Counter::kIsIterationInvariantRate);
   state.counters["B/s"] = Counter(items * cost.bytes, Counter::kIsIterationInvariantRate);
 }

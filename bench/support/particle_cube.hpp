@@ -23,13 +23,18 @@ inline constexpr double geometry_flops = 24;
 struct ParticleCube : test::ParticleBlock {
   Status status;
   double pairs = 0;  // within the support, per particle
+  double near = 0;   // within the cutoff, per particle: the list of a particle alone
   double listed = 0; // pairs that the lanes compute, per particle
   double list_bytes = 0;
 
   double count() const { return particles.count; }
-  // A pair sum: flops of a pair, flops of a particle, Reals of a particle that are read or written.
-  Cost pair_cost(double pair, double own, double reals) const {
-    return {pairs * pair + own, reals * sizeof(Real) + list_bytes, listed * pair + own};
+  // A pair sum: flops of a pair, flops of a particle, Reals of a particle that are read or written, Reals of
+  // a neighbour; how often the pass walks the list.
+  Cost pair_cost(double pair, double own, double reals, double of_neighbor, int walks = 1) const {
+    const double own_list = walks * near * sizeof(int), own_bytes = reals * sizeof(Real) + own_list;
+    return {pairs * pair + own,  reals * sizeof(Real) + walks * list_bytes,
+            listed * pair + own, near * pair + own,
+            own_bytes,           own_bytes + near * of_neighbor * sizeof(Real)};
   }
 };
 
@@ -53,22 +58,23 @@ inline void set_state(const ParticleCube& c) {
 inline void count_pairs(ParticleCube& c) {
   const Particles p = c.particles;
   const Neighbors n = c.neighbors;
-  long pairs = 0;
+  long pairs = 0, near = 0;
   Kokkos::parallel_reduce(
       "bench_pairs", Range(0, n.clusters),
-      KOKKOS_LAMBDA(int cluster, long& sum) {
+      KOKKOS_LAMBDA(int cluster, long& inside, long& close) {
         for (int i = n.first(cluster); i < n.first(cluster) + n.size(cluster); ++i)
           for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
             const int j = n.neighbor(k);
             const Vector3 x = load_vector(p.position, i) - load_vector(p.position, j);
             const Real reach = support_ratio * p.smoothing_length(i);
-            if (i != j && dot(x, x) < reach * reach) ++sum;
+            if (i != j && dot(x, x) < reach * reach) ++inside;
+            if (dot(x, x) < n.cutoff * n.cutoff) ++close;
           }
       },
-      pairs);
+      pairs, near);
   const double entries = double(
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(n.start, n.clusters))());
-  c.pairs = double(pairs) / c.count();
+  c.pairs = double(pairs) / c.count(), c.near = double(near) / c.count();
   c.listed = entries * pack_width / c.count();
   c.list_bytes = entries * sizeof(int) / c.count();
 }

@@ -43,7 +43,7 @@ struct MaterialPoints {
   IndexField material;                   // row of the MaterialTable
   ScalarField mass;                      // kg, not mass-scaled
   ScalarField density;                   // kg/m3
-  TensorField velocity_gradient;         // L_ij = dv_i/dx_j, 1/s
+  TensorField velocity_gradient;         // L_ij = dv_i/dx_j, 1/s; of particles D from prepare_pair_state on
   SymmetricField stress;                 // Cauchy, Pa
   ScalarField equivalent_plastic_strain; //
   ScalarField plastic_strain_rate;       // 1/s

@@ -60,6 +60,14 @@ KOKKOS_FORCEINLINE_FUNCTION Pack quadratic_form(const Symmetric3Of<Pack>& a, con
          two * (a.xy * x.x * x.y + a.yz * x.y * x.z + a.zx * x.z * x.x);
 }
 
+// Of tensors that are symmetric.
+KOKKOS_FORCEINLINE_FUNCTION Symmetric3Of<Pack> load_symmetric(const TensorField& f, const Lanes& i) {
+  return {i.load(f, 0), i.load(f, 4), i.load(f, 8), i.load(f, 1), i.load(f, 5), i.load(f, 2)};
+}
+KOKKOS_FORCEINLINE_FUNCTION Symmetric3Of<Pack> broadcast_symmetric(const TensorField& f, int j) {
+  return {Pack(f(j, 0)), Pack(f(j, 4)), Pack(f(j, 8)), Pack(f(j, 1)), Pack(f(j, 5)), Pack(f(j, 2))};
+}
+
 // Symmetric in i and j, so that pair forces cancel to the last bit: 1/h_ij = (1/h_i + 1/h_j) / 2.
 KOKKOS_FORCEINLINE_FUNCTION Pack mean_inverse_h(const Pack& inverse_h_i, Real h_j) {
   return Pack(Real(0.5)) * (inverse_h_i + Pack(Real(1) / h_j));

@@ -23,16 +23,14 @@ struct Particles {
   VectorField force;            // N, rows [0, count + tied)
   ScalarField smoothing_length; // m
   ScalarField volume;           // m3
-  TensorField correction;       // K_i of the corrected kernel gradient, rows [0, count + tied)
 
-  TensorField deformation_gradient; // F, rows as correction; 0 rows in the current frame
+  TensorField deformation_gradient; // F, rows [0, count + tied); 0 rows in the current frame
 
-  // What a neighbour needs in the force sum (prepare_pair_state).
-  TensorField pair_stress;          // sigma K, Pa
-  SymmetricField strain_rate;       // D, 1/s
-  SymmetricField artificial_stress; // Gray-Monaghan, Pa
+  // What a neighbour needs in the force sum (prepare_pair_state); and D, in points.velocity_gradient.
+  TensorField pair_stress;          // K_i of the corrected kernel gradient; then, in its place, sigma K, Pa
+  SymmetricField artificial_stress; // Gray-Monaghan, Pa; 0 rows without it
   View<Real* [2]> heat_state;       // T (K) and k (W/(m K)), and
-  SymmetricField heat_shape;        // K: for conduct_heat; 0 rows without conduction
+  SymmetricField heat_shape;        // sym K: for conduct_heat; 0 rows without conduction
   View<Real* [4]> pressure_state;   // p (Pa) and its gradient, for diffuse_pressure; 0 rows without it
   View<Real* [3]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), shear modulus (Pa)
   VectorField
@@ -78,8 +76,8 @@ struct Particles {
   // Visits what a neighbour reads and the step recomputes for rows that are awake: sleeping rows keep it.
   template <class Visitor>
   void for_each_pair_field(Visitor&& visit) {
-    visit("correction", correction), visit("pair_stress", pair_stress), visit("strain_rate", strain_rate);
-    visit("artificial_stress", artificial_stress), visit("pressure_state", pressure_state);
+    visit("pair_stress", pair_stress), visit("artificial_stress", artificial_stress);
+    visit("pressure_state", pressure_state);
     visit("heat_state", heat_state), visit("heat_shape", heat_shape);
   }
 };

@@ -29,6 +29,23 @@ TEST(Scene, PaperCounts) {
   EXPECT_NEAR(node_mass(scene) / (4430 * pi * (36e-8 - band * band) * 150 * um * polygon), 1, round_off);
 }
 
+// Memory: what is switched off has no rows.
+TEST(Scene, FieldsOfOptionsThatAreOffHaveNoRows) {
+  Deck deck = empty_deck();
+  deck.bodies = {block("b", "particles", {0, 0, 0}, {1e-3, 1e-3, 1e-3}, 0.2e-3)};
+  deck.particles.artificial_stress = deck.particles.hourglass_stiffness = deck.particles.xsph = 0;
+  deck.particles.pressure_diffusion = 0, deck.particles.density = "continuity";
+  const auto rows = [&] {
+    const Particles p = build_scene(deck).particles;
+    return p.artificial_stress.extent(0) + p.hourglass_displacement.extent(0) + p.hourglass_rate.extent(0) +
+           p.drift_velocity.extent(0) + p.pressure_state.extent(0) + p.reference_summation.extent(0) +
+           p.deformation_gradient.extent(0) + p.damping.extent(0);
+  };
+  EXPECT_EQ(rows(), 0u);
+  deck.particles.artificial_stress = 0.3;
+  EXPECT_EQ(rows(), 125u);
+}
+
 TEST(Scene, MassesOfShapes) {
   const auto mass = [](BodyDeck b) {
     Deck deck = empty_deck();

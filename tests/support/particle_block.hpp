@@ -17,7 +17,7 @@ inline void allocate(Particles& p, int rows) {
   p.for_each_field([&](const std::string& name, auto& field) {
     if (name != "reference_summation") make(field);
   });
-  make(p.correction), make(p.pair_stress), make(p.strain_rate), make(p.artificial_stress);
+  make(p.pair_stress), make(p.artificial_stress);
 }
 
 inline Material elastic_steel() {
