@@ -2,8 +2,10 @@
 // The settings are those of the shipped deck for orthogonal cutting; only the bodies change with the size.
 // They move and the tool rests, so that the lists age as fast as in the chip from the first step on. One
 // iteration is the steps from one rebuild of the lists to the next. Items are particles, tied ones among
-// them, and hexes.
+// them, and hexes. Bytes are those of the Views when they are most, and of the process: a process that has
+// run another row before holds the most of both.
 #include "bench/support/bench.hpp"
+#include "bench/support/watch.hpp"
 #include "src/simulation.hpp"
 
 namespace swarf::bench {
@@ -90,7 +92,21 @@ void report_phases(benchmark::State& state, const Simulation& simulation, const 
   }
 }
 
+// Launches a step, of what some steps leave out.
+void report_watch(benchmark::State& state, const Watch& watch, long steps) {
+  for (const char* label : {"diffuse_pressure", "conduct_heat", "find_neighbors"}) {
+    const auto found = watch.launches.find(label);
+    if (found != watch.launches.end())
+      state.counters["calls: " + found->first] = double(found->second) / double(steps);
+  }
+  for (const auto& [label, bytes] : watch.at_most)
+    if (bytes > 0) state.counters["bytes: " + label] = double(bytes);
+  state.counters["most_resident"] = most_resident(), state.counters["resident"] = resident();
+}
+
 void bench_step(benchmark::State& state, Deck (*scene)(double)) {
+  Watch& watch = Watch::instance();
+  watch.begin();
   Simulation simulation(scene(double(state.range(0))));
   simulation.start();
   advance_one_cycle(simulation);
@@ -99,13 +115,16 @@ void bench_step(benchmark::State& state, Deck (*scene)(double)) {
   const double items = double(particles.count) + particles.tied + hexes;
   const PhaseTimer before = simulation.timer;
   const long first = simulation.step_count();
+  watch.restart();
   for (auto _ : state) advance_one_cycle(simulation);
   const long steps = simulation.step_count() - first;
   state.SetItemsProcessed(int64_t(double(steps) * items));
   state.counters["items"] = items, state.counters["steps"] = double(steps) / double(state.iterations());
   state.counters["particles"] = particles.count, state.counters["tied"] = particles.tied;
+  state.counters["rows"] = double(particles.position.extent(0)); // with those of images
   state.counters["images"] = simulation.neighbors().images, state.counters["hexes"] = hexes;
   report_phases(state, simulation, before, steps);
+  report_watch(state, watch, steps);
 }
 
 void step_sizes(benchmark::internal::Benchmark* b) {
