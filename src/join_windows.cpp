@@ -9,6 +9,9 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
+// As the deck says it, without the last bits of the conversion.
+double in_degrees(double angle) { return std::round(angle / degree * 1e9) / 1e9; }
+
 struct Sample {
   double place, weight; // 0 to 1 along the measurement; time
   std::array<double, 4> force;
@@ -111,12 +114,14 @@ void write_windows(const PassFolder& folder, const Deck& whole, const std::vecto
   for (const WindowResult& r : results) {
     core_seconds += r.core_seconds;
     Json one;
-    one.set("immersion", r.window.centre / degree).set("ended", r.ended).set("core_seconds", r.core_seconds);
+    one.set("immersion", in_degrees(r.window.centre))
+        .set("ended", r.ended)
+        .set("core_seconds", r.core_seconds);
     if (r.is_complete()) {
       const auto &mean = r.force.mean, &error = r.force.error;
-      table += fmt::format("{},{},{},{}\n", r.window.centre / degree, fmt::join(mean, ","),
+      table += fmt::format("{},{},{},{}\n", in_degrees(r.window.centre), fmt::join(mean, ","),
                            fmt::join(error, ","), fmt::format("{},{}", r.window.uncut_chip, r.core_seconds));
-      immersion.push_back(r.window.centre / degree), force.push_back(mean[3]);
+      immersion.push_back(in_degrees(r.window.centre)), force.push_back(mean[3]);
       one.set("force_planar", mean[3]).set("error_planar", error[3]).set("uncut_chip", r.window.uncut_chip);
     } else {
       unfinished += (unfinished.empty() ? "" : ", ") + r.window.name;

@@ -11,6 +11,8 @@ matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same 
 import matplotlib.pyplot as plt
 import numpy
 
+import finer_page
+
 HERE = pathlib.Path(__file__).resolve().parent
 DOCS = HERE.parents[1] / "docs"
 COLOURS = ("#0072b2", "#d55e00")  # Okabe & Ito 2008
@@ -279,6 +281,7 @@ def write_page(found):
     lines += write_probes(found)
     lines += write_asleep(found) if "asleep" in found else []
     lines += write_retired(found) if "retired" in found else []
+    lines += finer_page.write(found) if "finer" in found else []
     lines += write_scene(found["scene"]) if "scene" in found else []
     (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
 
@@ -286,6 +289,8 @@ def write_page(found):
 def main():
     found = json.loads((HERE / "results.json").read_text())
     draw(found)
+    if "finer" in found:
+        finer_page.picture(found)
     write_page(found)
 
 

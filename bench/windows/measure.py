@@ -159,6 +159,12 @@ def measure_scene():
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
 
 
+def write_results(found):
+    text = json.dumps(found, indent=1)
+    text = re.sub(r"\[\s+([^][{}]*?)\s+\]", lambda m: "[" + re.sub(r"\s+", " ", m[1]) + "]", text)
+    (HERE / "results.json").write_text(text + "\n")
+
+
 def measure_pass():
     whole = read_samples(RESULTS / "whole")
     found = {"deck": str(DECK.relative_to(ROOT)), "whole": {"end": whole[-1][0], "bins": bins(whole)},
@@ -183,9 +189,7 @@ def main():
             found[name] = measure_part(name)
     if (RESULTS / "scene" / "windows.csv").exists():
         found["scene"] = measure_scene()
-    text = json.dumps(found, indent=1)
-    text = re.sub(r"\[\s+([^][{}]*?)\s+\]", lambda m: "[" + re.sub(r"\s+", " ", m[1]) + "]", text)
-    (HERE / "results.json").write_text(text + "\n")
+    write_results(found)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""The pass and its windows again in smaller cells: is what windows miss where the chip is thin the chip's history, or
+too few particles across it? Writes the entry "finer" of results.json. The whole pass has its far part asleep.
+
+usage: finer.py PROGRAM [--no-run]
+"""
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+
+import measure
+
+# um: cells of the bulk; the cut zone has twice as many around
+CELLS = {3.0: ([458, 4, 11], [229, 2, 8]), 2.4: ([574, 5, 14], [287, 2, 10])}
+WHOLE = 2.4  # um: the pass runs as a whole too, and all its windows
+THIN = (150, 170)  # deg
+COURANT = 0.45
+
+
+def deck_of(spacing, section):
+    text = re.sub(r"\n\[windows\].*", "", measure.DECK.read_text(), flags=re.S)
+    cut_zone, bulk = CELLS[spacing]
+    for old, new in (("cells = [344, 3, 8]", f"cells = {cut_zone}"), ("cells = [172, 2, 6]", f"cells = {bulk}"),
+                     ("courant = 0.3", f"courant = {COURANT}")):
+        if old not in text:
+            sys.exit(f"{measure.DECK}: expected {old}")
+        text = text.replace(old, new)
+    return text + section
+
+
+def windows_name(spacing):
+    return f"windows_{spacing:g}_um"
+
+
+def run(program):
+    measure.RESULTS.mkdir(parents=True, exist_ok=True)
+    for spacing in CELLS:
+        name = windows_name(spacing)
+        (measure.RESULTS / f"{name}.toml").write_text(deck_of(spacing, ""))
+        first = 10 if spacing == WHOLE else THIN[0]
+        subprocess.run([program, "run", measure.RESULTS / f"{name}.toml", "--windows", f"{first}:{THIN[1]}:20", "--output",
+                        measure.RESULTS / name, "--threads", "1", "--no-pictures", "--resume"], check=True)
+    deck = measure.RESULTS / "whole_finer.toml"
+    deck.write_text(deck_of(WHOLE, f'\n[sleep]\ndistance = "{measure.SLEEP_DISTANCE}"\n'))
+    measure.run_whole(program, "whole_finer", deck)
+
+
+def measure_windows(spacing, whole):
+    folder = measure.RESULTS / windows_name(spacing)
+    joined = json.loads((folder / "windows.json").read_text())
+    rows = []
+    for one in joined["windows"].values():
+        if one["ended"] != "complete":
+            continue
+        row = {key: one[key] for key in ("immersion", "force_planar", "error_planar", "core_seconds", "uncut_chip")}
+        low, high = one["immersion"] - 0.5 * measure.WIDTH, one["immersion"] + 0.5 * measure.WIDTH
+        if whole and whole[-1][0] >= high:
+            row["whole_planar"] = math.hypot(*measure.mean(whole, low, high))
+        rows.append(row)
+    return {"spacing": spacing, "courant": COURANT, "core_seconds": joined["core_seconds"],
+            "scatter": joined["scatter_between_windows"], "windows": rows}
+
+
+def main():
+    if "--no-run" not in sys.argv:
+        run(pathlib.Path(sys.argv[1]).resolve())
+    folder = measure.RESULTS / "whole_finer"
+    whole = measure.read_samples(folder)
+    found = [measure_windows(spacing, whole if spacing == WHOLE else None) for spacing in CELLS]
+    entry = {"windows": found, "whole": {"spacing": WHOLE, "end": whole[-1][0], "bins": measure.bins(whole)}}
+    if measure.is_complete(folder):
+        summary = json.loads((folder / "summary.json").read_text())
+        entry["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
+                           "steps": summary["steps"],
+                           "energy_residual": summary["energies"]["worst_residual_over_external"]}
+    kept = measure.HERE / "results.json"
+    measure.write_results(json.loads(kept.read_text()) | {"finer": entry})
+
+
+if __name__ == "__main__":
+    main()
