@@ -12,13 +12,12 @@ def percent(value):
     return "-" if value is None else f"{100 * value:+.1f} %"
 
 
-def qualifies(row, rows, found, limit):
-    """Error and scatter together within the limit, also of every finer one with the same settings, or it is chance.
-    One run alone may be, so settings that have run at one spacing only are not advised."""
-    def within(one):
-        scatter = one["cutting_force_error"] / abs(found["cutting_force"].value)
-        error = abs(draw.likely_error(one, found))
-        return error + scatter <= limit and abs(one["energy_residual"]) <= ENERGY
+def level_of_finer(row, rows, found):
+    """The most that error and scatter come to together, of this row and of every finer one with the same settings: one
+    within a limit among others that are not is chance. None if a finer one does not keep its energy, or if the
+    settings have run at one spacing only: one run alone may be luck."""
+    def level(one):
+        return abs(draw.likely_error(one, found)) + one["cutting_force_error"] / abs(found["cutting_force"].value)
     series = {*MEAN_OF, *MEAN_OF.values()} - {points.STIFFNESS_0}
     if row["group"] in series:
         alike = [one for one in rows if one["group"] == row["group"]]
@@ -26,7 +25,14 @@ def qualifies(row, rows, found, limit):
         alike = [one for one in rows if (one["changes"], one["build"]) == (row["changes"], row["build"])
                  and one["group"] not in (*series, "committed deck")]
     finer = [one for one in alike if one["spacing"] <= row["spacing"]]
-    return len({one["spacing"] for one in alike}) > 1 and all(within(one) for one in finer)
+    if len({one["spacing"] for one in alike}) < 2 or any(abs(one["energy_residual"]) > ENERGY for one in finer):
+        return None
+    return max(level(one) for one in finer)
+
+
+def qualifies(row, rows, found, limit):
+    level = level_of_finer(row, rows, found)
+    return level is not None and level <= limit
 
 
 def advice(rows, found):

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws accuracy against cost from results.csv: a picture of each scene, PNG and SVG, and docs/accuracy_cost.md."""
+"""Draws accuracy against cost from results.csv: a picture of each scene, PNG and SVG,
+docs/accuracy_cost.md, and src/accuracy_chart.toml for the key run.accuracy."""
 import pathlib
 import sys
 
@@ -15,12 +16,14 @@ import labels
 import page
 import physics
 import results
+import transfer
 from points import MEAN_OF
 from reference import ENERGY, combine, references, widen
 from scenes import SCENES
 
 HERE = pathlib.Path(__file__).resolve().parent
-DOCS = HERE.parents[1] / "docs"
+ROOT = HERE.parents[1]
+DOCS = ROOT / "docs"
 MARKERS = "osD^v<>pPXhd*"
 ASIDE = ("combination", "at the limit")  # groups that are tried, not charted
 FLOOR = 0.1  # of the band's height: a smaller error is drawn here
@@ -166,6 +169,7 @@ def main():
         drawn[scene.name] = ({row["label"] for row in runs}, ours, found)
     if drawn:
         (DOCS / "accuracy_cost.md").write_text(page.text(drawn, rows))
+        (ROOT / "src/accuracy_chart.toml").write_text(transfer.text(drawn, SCENES, ROOT))
 
 
 if __name__ == "__main__":
