@@ -1,9 +1,11 @@
 #include "src/check.hpp"
+#include "src/accuracy.hpp"
 #include "src/run.hpp"
 #include "src/simulation.hpp"
 #include "src/windows.hpp"
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fmt/format.h>
 #include <numbers>
 #include <sys/resource.h>
@@ -48,7 +50,7 @@ void check_cutting(const Deck& deck, const Scene& scene, Findings& found) {
   if (!cuts) return;
   const double chip = uncut_chip(deck, scene) / scene.spacing, edge = tool.edge_radius / scene.spacing;
   found.line("particles per uncut chip", "{:.1f}", chip);
-  if (chip < 4)
+  if (chip < 4 && !deck.picked) // else the chart knows better
     found.warn(fmt::format("{:.1f} particles across the uncut chip: take body.spacing <= {:.3g} um for 4",
                            chip, 1e6 * uncut_chip(deck, scene) / 4));
   found.line("particles per edge radius", "{:.1f}", edge);
@@ -72,6 +74,39 @@ void check_inertia(const Deck& deck, Findings& found) {
   }
 }
 
+// The chart was measured in one scene; where this one is another, its errors are a guess.
+void compare_scene(const Deck& deck, const AccuracyPlan& plan, Findings& found) {
+  const AccuracyChart& chart = *plan.chart;
+  const ChartPoint& point = *plan.choices[plan.picked].point;
+  const double edge = deck.tool->edge_radius / plan.cut.chip, rake = deck.tool->rake * 180 / std::numbers::pi;
+  found.line("edge radius / uncut chip, rake", "{:.3g}, {:.3g} deg (chart: {:.3g}, {:.3g} deg)", edge, rake,
+             chart.edge_over_chip, chart.rake);
+  const double length = plan.cut.speed * end_time_of(deck),
+               needed = (point.run_in + point.measured) * plan.cut.chip;
+  found.line("cut", "{:.3g} um (chart: {:.3g} um)", 1e6 * length, 1e6 * needed);
+  if (length < needed * (1 - 1e-9))
+    found.warn("the cut is shorter than where the chart's mean force was taken: run for longer");
+  const double slant =
+      std::max(deck.tool->helix, std::abs(deck.tool->inclination)); // the chart's are straight
+  if (slant > 0 || edge > 2 * chart.edge_over_chip || edge < chart.edge_over_chip / 2 ||
+      std::abs(rake - chart.rake) > 10)
+    found.warn(fmt::format("the edge is not that of {}: the chart's errors are a guess here", chart.deck));
+}
+
+// The deck with what run.accuracy chooses; says what there is to choose from if nothing is good enough.
+Deck plan_deck(const std::string& file, std::optional<AccuracyPlan>& plan) {
+  const Deck deck = read_deck(file);
+  fmt::print("{}\n", file);
+  if (!deck.run.accuracy) return deck;
+  plan = plan_accuracy(deck);
+  if (plan->picked < 0)
+    fmt::print("{}  core-seconds are those of the machine that measured\n", show_choices(*plan, 1));
+  std::fflush(stdout);
+  return planned_deck(deck, *plan);
+}
+
+double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; } // of all threads
+
 } // namespace
 
 int check_deck(const std::string& file) {
@@ -79,9 +114,9 @@ int check_deck(const std::string& file) {
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  const Deck deck = read_deck(file);
+  std::optional<AccuracyPlan> plan;
+  const Deck deck = plan_deck(file, plan);
   Findings found;
-  fmt::print("{}\n", file);
   Simulation simulation(deck);
   const Scene& scene = simulation.scene();
   simulation.start();
@@ -96,11 +131,13 @@ int check_deck(const std::string& file) {
   const double steps = end_time_of(deck) / simulation.dt();
   found.line("steps", "{:.4g} for {:.4g} s", steps, end_time_of(deck));
   const int trial = 10;
+  const double cpu_begin = cpu_seconds();
   for (int k = 0; k < trial; ++k) {
     simulation.step();
     if (simulation.steps_to_check() <= 0) simulation.check();
   }
   const double per_step = (seconds() - start_up) / trial;
+  const double core_seconds = steps * (cpu_seconds() - cpu_begin) / trial;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   found.line("time per step", "{:.4g} s on {} threads, start-up {:.2f} s", per_step,
@@ -116,6 +153,11 @@ int check_deck(const std::string& file) {
   found.line("memory", "{:.0f} MiB", double(usage.ru_maxrss) / 1024);
   check_cutting(deck, scene, found);
   check_inertia(deck, found);
+  if (plan) {
+    compare_scene(deck, *plan, found);
+    fmt::print("{}{}", show_choices(*plan, core_seconds / plan->choices[plan->picked].core_seconds),
+               show_pick(deck));
+  }
   fmt::print("{}\n", found.warnings == 0 ? "fit to run" : fmt::format("{} warning(s)", found.warnings));
   return found.warnings;
 }

@@ -151,6 +151,8 @@ void DeckReader::read_run() {
   const toml::table& table = find_section("run");
   const std::size_t before = report.count();
   read_keys(table, "run", run_keys(), deck.run, report);
+  if (const toml::node* accuracy = table.get("accuracy"))
+    deck.run.accuracy_line = int(accuracy->source().begin.line);
   if (report.count() > before || deck.run.end_time.has_value() != deck.run.end_immersion.has_value()) return;
   if (deck.run.end_time)
     report.add(*table.get("end_immersion"), "run.end_immersion",

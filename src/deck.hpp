@@ -120,7 +120,9 @@ struct RunDeck {
   std::optional<double> end_time;      // s
   std::optional<double> end_immersion; // rad, instead of end_time
   double courant = 0, mass_factor = 1;
-  int threads = 0; // 0: all cores
+  std::optional<double> accuracy; // %, of the mean cutting force; sets others, see accuracy.hpp
+  int accuracy_line = 0;          // of the deck, for messages
+  int threads = 0;                // 0: all cores
   Triple gravity{};
   bool operator==(const RunDeck&) const = default;
 };
@@ -156,6 +158,14 @@ struct OutputDeck {
   bool operator==(const OutputDeck&) const = default;
 };
 
+// What run.accuracy has set, and why.
+struct AccuracyPick {
+  double asked = 0; // %
+  std::string why;
+  std::vector<std::string> changes; // a key each
+  bool operator==(const AccuracyPick&) const = default;
+};
+
 struct Deck {
   std::string file, title;
   std::vector<MaterialDeck> materials;
@@ -169,6 +179,7 @@ struct Deck {
   RunDeck run;
   OutputDeck output;
   std::optional<WindowsDeck> windows;
+  std::optional<AccuracyPick> picked; // never from a file: that has the settings themselves
   bool operator==(const Deck&) const = default;
 };
 
@@ -181,7 +192,7 @@ bool conducts_heat(const Deck& deck);
 // When the run ends, s.
 double end_time_of(const Deck& deck);
 // The deck as TOML with every default written out, in SI units. Reading it back gives the same Deck, bit by
-// bit, but for `file` and the `line` of bodies and windows.
+// bit, but for `file`, `picked` (a comment there) and the lines for messages.
 std::string resolved_deck(const Deck& deck);
 // Reference page of all keys: key, unit, bounds, default, help (Markdown).
 std::string key_reference();

@@ -115,6 +115,14 @@ const Keys<RunDeck>& run_keys() {
       {"mass_factor", &R::mass_factor, D::none, Range{1, 1e8}, "1.0", always,
        "inertia is that of this many times the mass: the step grows with its root, heat and rates stay "
        "right"},
+      {"accuracy", &R::accuracy, D::percentage, Range{0, 100, true, false}, optional, always,
+       "asked of the mean cutting force: takes the cheapest settings of the measured chart "
+       "(docs/accuracy_cost.md) that keep it, and says which and why (swarf check: before running). They "
+       "take "
+       "the place of what the deck has for body.spacing and cells, the thickness of a periodic slice with "
+       "the "
+       "tool's extent and output.force_scale, body.tie, courant, mass_factor, sleep.distance and [particles] "
+       "but skin. Needs a wedge and blocks, or an end mill and rings"},
       {"threads", &R::threads, D::none, Range{0, 4096}, "0", always, "of the computation; 0: all cores"},
       {"gravity", &R::gravity, D::acceleration, any, R"(["0 m/s2", "0 m/s2", "0 m/s2"])", always,
        "acts on all bodies"},

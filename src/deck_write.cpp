@@ -92,8 +92,12 @@ std::string write_reference(const std::string& heading, const std::string& help,
 } // namespace
 
 std::string resolved_deck(const Deck& deck) {
-  std::string text =
-      "# Written by swarf: the deck with every default, in SI units.\n" + write_keys(top_keys(), deck);
+  std::string text = "# Written by swarf: the deck with every default, in SI units.\n";
+  if (deck.picked) {
+    text += fmt::format("# accuracy = \"{} %\": {}. It has set:\n", deck.picked->asked, deck.picked->why);
+    for (const std::string& change : deck.picked->changes) text += "#   " + change + "\n";
+  }
+  text += write_keys(top_keys(), deck);
   for (const MaterialDeck& material : deck.materials) {
     const std::string name =
         is_bare(material.name) ? material.name : write_value(material.name, {"", Dimension::none, Text{}});
@@ -120,7 +124,8 @@ std::string key_reference() {
       "A deck is a TOML file. Values with units are text, such as \"10 um\", \"10000 rpm\", \"25.2 deg\", "
       "\"4430 kg/m3\", \"110 GPa\", \"25 degC\", \"30 m/min\", \"1 1/s\"; numbers without a unit are bare. "
       "Units are "
-      "m g s K rad N Pa J W Hz with the prefixes n u m c k M G, and deg, rev, rpm, min, h, degC, joined by / "
+      "m g s K rad N Pa J W Hz with the prefixes n u m c k M G, and deg, rev, rpm, min, h, degC, %, joined "
+      "by / "
       "and * "
       "with powers, such as N/mm2. Unknown keys are errors. `required` keys have no default; `optional` ones "
       "may be "

@@ -1,4 +1,5 @@
 #include "src/run.hpp"
+#include "src/accuracy.hpp"
 #include "src/frame.hpp"
 #include "src/pictures.hpp"
 #include "src/progress.hpp"
@@ -124,7 +125,8 @@ std::string default_output(const std::string& deck_file) {
 }
 
 int run_deck(const RunOptions& options) {
-  const Deck deck = read_deck(options.deck);
+  const Deck deck = apply_accuracy(read_deck(options.deck));
+  fmt::print("{}", show_pick(deck));
   const std::string where = options.output.empty() ? default_output(options.deck) : options.output;
   const double end = end_time_of(deck);
   Simulation simulation(deck);

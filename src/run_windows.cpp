@@ -1,4 +1,5 @@
 #include "src/run_windows.hpp"
+#include "src/accuracy.hpp"
 #include "src/child_process.hpp"
 #include "src/join_windows.hpp"
 #include "src/pictures.hpp"
@@ -207,6 +208,7 @@ int run_windows(const RunOptions& options, const WindowsOptions& how) {
   Deck deck = read_deck(options.deck);
   if (!deck.windows) deck.windows = default_windows();
   if (!how.windows.empty()) deck.windows = read_windows_option(how.windows, *deck.windows);
+  deck = apply_accuracy(deck); // refuses: the chart says nothing about windows
   if (options.stop_after > 0)
     throw DeckError(
         "--stop-after does not go with windows: each must reach its end to be measured. Leave one out.");

@@ -117,6 +117,7 @@ void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& sc
 } // namespace
 
 Scene build_scene(const Deck& deck) {
+  if (deck.run.accuracy) throw std::logic_error("run.accuracy must be applied before the scene is built");
   if (deck.bodies.empty())
     throw DeckError(fmt::format("{}: body: expected at least one [[body]], found none. Add one.", deck.file));
   const std::vector<FilledBody> bodies = fill_bodies(deck);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numeric>
 #include <sys/resource.h>
 
@@ -150,6 +151,11 @@ void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulati
   const HistoryTable raw = read_history(folder.history());
   Json summary;
   summary.set("title", deck.title).set("ended", ended).set("version", SWARF_VERSION);
+  if (deck.picked) {
+    Json pick;
+    pick.set("asked_percent", deck.picked->asked).set("why", deck.picked->why);
+    summary.set("accuracy", pick.set("set", fmt::format("{}", fmt::join(deck.picked->changes, "; "))));
+  }
   summary.set("particles", scene.particles.whole).set("tied_particles", scene.tie.count);
   summary.set("hexes", scene.hexes.points.count).set("nodes", scene.hexes.nodes);
   summary.set("steps", s.step_count()).set("time", s.time()).set("dt", s.dt());

@@ -88,6 +88,7 @@ const std::vector<DimensionRow>& dimensions() {
       {Dimension::specific_heat, {2, 0, -2, -1, 0}, {"a specific heat", "J/kg/K", "526.3 J/kg/K"}},
       {Dimension::conductivity, {1, 1, -3, -1, 0}, {"a thermal conductivity", "W/m/K", "6.3 W/m/K"}},
       {Dimension::force, {1, 1, -2, 0, 0}, {"a force", "N", "10.1 N"}},
+      {Dimension::percentage, {}, {"a percentage", "%", "5 %"}},
   };
   return table;
 }
@@ -184,6 +185,9 @@ std::variant<double, UnitError> parse_quantity(const std::string& text, Dimensio
                                  written, wanted.text.example.substr(wanted.text.example.find(' ') + 1))};
 
   if (symbol == "degC" && dimension == Dimension::temperature) return number + 273.15;
+  if (dimension == Dimension::percentage && symbol == "%") return number;
+  if (dimension == Dimension::percentage || symbol == "%")
+    return UnitError{fmt::format("{}, got \"{}\": \"{}\" is not a unit of this", expected, text, symbol)};
   const bool is_celsius = symbol == "degC" || symbol == "C" || symbol == "°C";
   const auto unit = is_celsius ? Unit{{0, 0, 0, 1, 0}} : parse_unit(symbol);
   if (!unit) return UnitError{fmt::format("{}, got \"{}\": there is no unit \"{}\"", expected, text, symbol)};

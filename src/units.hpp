@@ -19,7 +19,8 @@ enum class Dimension {
   temperature,
   specific_heat,
   conductivity,
-  force
+  force,
+  percentage
 };
 
 struct DimensionText {
@@ -35,9 +36,9 @@ struct UnitError {
 };
 
 // SI value of "number unit". A unit is a product such as m/min, J/kg/K or N/mm2: symbols m g s K rad N Pa J W
-// Hz with prefixes n u m c k M G, and deg rpm rev min h; degC stands alone. Decimal prefixes are exact: "10
-// um" is the double nearest to 1e-5. Errors: no number, NaN, infinity, overflow, no unit, unknown or wrong
-// unit.
+// Hz with prefixes n u m c k M G, and deg rpm rev min h; degC and % stand alone. Decimal prefixes are exact:
+// "10 um" is the double nearest to 1e-5. Errors: no number, NaN, infinity, overflow, no unit, unknown or
+// wrong unit.
 std::variant<double, UnitError> parse_quantity(const std::string& text, Dimension dimension);
 
 // Shortest text that reads back as the same double, with the SI unit of the dimension; bare if it has none.

@@ -12,11 +12,12 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Equal but for the file's name and the lines of bodies and windows.
+// Equal but for the file's name and the lines for messages.
 void expect_same(Deck a, Deck b) {
   a.file = b.file;
   ASSERT_EQ(a.bodies.size(), b.bodies.size());
   for (std::size_t i = 0; i < a.bodies.size(); ++i) a.bodies[i].line = b.bodies[i].line;
+  a.run.accuracy_line = b.run.accuracy_line;
   if (a.windows && b.windows) a.windows->line = b.windows->line;
   EXPECT_TRUE(a == b);
 }
@@ -124,6 +125,7 @@ TEST(deck, resolved_deck_keeps_every_bit_of_every_kind_of_value) {
   deck.particles.viscosity_linear = 0.1 + 0.2;
   deck.hexes.delete_at_strain = 2.0 / 3;
   deck.run.gravity = {0, 0, -9.80665};
+  deck.run.accuracy = 10.0 / 3;
   deck.output.picture_immersion = {};
   deck.output.checkpoint_time = 1e-5 / 7;
   expect_round_trip(deck);

@@ -54,6 +54,8 @@ TEST(units, minutes_turns_and_celsius_follow_their_definitions) {
   EXPECT_DOUBLE_EQ(si("10000 rev/min", Dimension::angular_velocity), 10000 * 2 * pi / 60);
   EXPECT_DOUBLE_EQ(si("25 degC", Dimension::temperature), 298.15);
   EXPECT_EQ(si("298.15 K", Dimension::temperature), 298.15);
+  EXPECT_EQ(si("3 %", Dimension::percentage), 3.0);
+  EXPECT_EQ(si("2.5%", Dimension::percentage), 2.5);
 }
 
 TEST(units, what_is_written_reads_back_bit_by_bit) {
@@ -75,6 +77,8 @@ TEST(units, a_wrong_unit_is_named) {
   EXPECT_NE(fault("1e999 um", Dimension::length).find("out of the range"), std::string::npos);
   EXPECT_NE(fault("1e308 km", Dimension::length).find("out of the range"), std::string::npos);
   EXPECT_NE(fault("25 C", Dimension::temperature).find("write degC"), std::string::npos);
+  EXPECT_NE(fault("3 %", Dimension::length).find("\"%\" is not a unit of this"), std::string::npos);
+  EXPECT_NE(fault("3 um/um", Dimension::percentage).find("not a unit of this"), std::string::npos);
   EXPECT_NE(fault("1 rad/s", Dimension::rate).find("speed of rotation"), std::string::npos);
   EXPECT_NE(fault("1 m/", Dimension::length).find("no unit \"m/\""), std::string::npos);
 }
