@@ -2,7 +2,8 @@
 """Runs every benchmark on each number of threads, several rounds, and writes bench/results.json.
 
 A round takes the ceilings of the machine first and then every program, on one thread and on two, so that ratios can be
-taken within a round: a machine that is busy then slows down both. Sizes of a million run in one round only.
+taken within a round: a machine that is busy then slows down both. Large sizes run in one round only. Cut short, it
+goes on where it was (kept.py).
 """
 import argparse
 import json
@@ -13,12 +14,21 @@ import statistics
 import subprocess
 import time
 
+import start_up
+from kept import Kept
+
 HERE = pathlib.Path(__file__).resolve().parent
 RESULTS = HERE.parent / "results.json"
 LARGE = 500_000
-FLOAT = ("bench_machine", "bench_step")  # the others differ as they do
+# The whole step, each scene and size in a process of its own, so that its memory is seen.
+STEPS = {
+    64: {"particles": (10_000, 100_000, 1_000_000, 4_000_000), "particles, plain sums": (10_000, 100_000),
+         "hexes": (10_000, 100_000, 123_840, 1_000_000), "hybrid": (10_000, 100_000)},
+    32: {"particles": (10_000, 100_000, 1_000_000), "hexes": (10_000, 100_000, 123_840), "hybrid": (10_000, 100_000)},
+}
 FIELDS = ("items", "flops_per_item", "bytes_per_item", "lane_flops_per_item", "pairs_per_item", "lane_pairs_per_item",
-          "particles", "tied", "images", "hexes", "steps")
+          "near_pairs_per_item", "gpu_flops_per_item", "gpu_bytes_per_item", "gathered_bytes_per_item", "particles", "rows",
+          "tied", "images", "hexes", "steps", "most_resident", "resident")
 
 
 def programs(build):
@@ -26,12 +36,18 @@ def programs(build):
     return sorted(found, key=lambda path: path.name != "bench_machine")
 
 
-def run(program, sizes, threads, seconds):
+def run(program, sizes, threads, options, scene=None):
     environment = {"OMP_WAIT_POLICY": "passive", "OMP_PROC_BIND": "false", **os.environ,
                    "OMP_NUM_THREADS": str(threads), "SWARF_BENCH_SIZES": " ".join(map(str, sizes))}
-    command = [program, f"--benchmark_min_time={seconds}", "--benchmark_format=json"]
+    command = [program, f"--benchmark_min_time={options.seconds}", "--benchmark_format=json"]
+    if scene:
+        command.append(f"--benchmark_filter=^step, {scene}/")
     done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, check=True)
-    return json.loads(done.stdout)
+    answer = json.loads(done.stdout)
+    for row in answer["benchmarks"]:
+        if row.get("error_occurred"):
+            raise SystemExit(f"{program.name}: {row['name']}: {row['error_message']}")
+    return answer
 
 
 def key_of(row, context):
@@ -40,30 +56,33 @@ def key_of(row, context):
     return name, size, int(context["threads"]), 8 * int(context["real_bytes"])
 
 
-def take(found, build, threads, round_number, options):
-    """Every program of a build once. Sizes of a million in the first round only, the step at them if asked for."""
-    loads, small = [], [size for size in options.sizes if size < LARGE]
+def visits(build, bits, number, options):
+    """(program, sizes, scene) of a round: large sizes in the first one only."""
+    fits = lambda sizes: [size for size in sizes
+                          if size <= options.largest and (size < LARGE or (number == 0 and not options.quick))]
     for program in programs(build):
-        if build == options.float and program.name not in FLOAT:
-            continue
-        large = round_number == 0 and (options.large_steps or program.name != "bench_step")
-        sizes = options.sizes if large else small
-        if not sizes:
-            continue
-        loads.append(os.getloadavg()[0])
-        answer = run(program, sizes, threads, options.seconds)
-        for row in answer["benchmarks"]:
-            if row.get("error_occurred"):
-                raise SystemExit(f"{program.name}: {row['name']}: {row['error_message']}")
-            measured = found.setdefault(key_of(row, answer["context"]), {"rounds": {}})
-            measured["rounds"][round_number] = 1 / row["items_per_second"]
-            share = row["cpu_time"] / row["real_time"]
-            measured.setdefault("core_share", []).append(share)
-            measured.setdefault("core_seconds", []).append(share / row["items_per_second"])
-            measured.update({field: row[field] for field in FIELDS if field in row})
-            for phase in (one for one in row if one.startswith("phase: ")):
-                measured.setdefault("phases", {}).setdefault(phase[7:], []).append(share * row[phase] / row["items"])
-    return loads
+        if program.name == "bench_step":
+            for scene, sizes in STEPS[bits].items():
+                yield from ((program, [size], scene) for size in fits(sizes))
+        elif bits == 64 or program.name == "bench_machine":  # kernels in float differ as the step does
+            if fits(options.sizes):
+                yield program, fits(options.sizes), None
+
+
+def add(found, number, answer):
+    for row in answer["benchmarks"]:
+        measured = found.setdefault(key_of(row, answer["context"]), {"rounds": {}})
+        measured["rounds"][number] = 1 / row["items_per_second"]
+        share = row["cpu_time"] / row["real_time"]
+        measured.setdefault("core_share", []).append(share)
+        measured.setdefault("core_seconds", []).append(share / row["items_per_second"])
+        measured.update({field: row[field] for field in FIELDS if field in row})
+        for phase in (one for one in row if one.startswith("phase: ")):
+            measured.setdefault("phases", {}).setdefault(phase[7:], []).append(share * row[phase] / row["items"])
+        for kind in ("calls", "bytes"):
+            counts = {name[len(kind) + 2:]: row[name] for name in row if name.startswith(kind + ": ")}
+            if counts:
+                measured[kind] = counts
 
 
 def row_of(key, measured):
@@ -74,6 +93,7 @@ def row_of(key, measured):
     if threads == 1:  # of a core, that this process got: the rest went to other programs, and its time there
         row["core_share"] = statistics.median(measured["core_share"])
         row["core_seconds_per_item"] = statistics.median(measured["core_seconds"])
+        row |= {kind: measured[kind] for kind in ("calls", "bytes") if kind in measured}
     row |= {field: measured[field] for field in FIELDS if field in measured}
     if "phases" in measured:
         row["phases"] = {phase: statistics.median(values) for phase, values in measured["phases"].items()}
@@ -94,32 +114,46 @@ def commit():
     return head.stdout.strip()
 
 
+def take_rounds(options, kept):
+    found, begun = {}, time.time()
+    for number in range(options.rounds):
+        for threads in options.threads:
+            for build, bits in ((options.build, 64), (options.float, 32)):
+                for program, sizes, scene in visits(build, bits, number, options) if build else ():
+                    name = f"{number}-{threads}-{bits}-{program.name}-{scene or ''}-{'-'.join(map(str, sizes))}"
+                    add(found, number, kept.get(name, lambda: run(program, sizes, threads, options, scene)))
+        print(f"round {number + 1} of {options.rounds}: {time.time() - begun:.0f} s, load {os.getloadavg()[0]:.1f}",
+              flush=True)
+    return found
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--float", type=pathlib.Path, help="build folder in float, for the whole step")
-    parser.add_argument("--sizes", type=int, nargs="+", default=[10_000, 100_000, 1_000_000])
+    parser.add_argument("--sizes", type=int, nargs="+", default=[10_000, 100_000, 1_000_000], help="of the kernels")
+    parser.add_argument("--largest", type=int, default=4_000_000, help="size; 4 million particles take 5 GB")
     parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--seconds", type=float, default=0.15, help="least time of a measurement")
-    parser.add_argument("--quick", action="store_true", help="one round, no size of a million")
-    parser.add_argument("--large-steps", action="store_true", help="the whole step at a million, too: minutes")
+    parser.add_argument("--quick", action="store_true", help="one round, nothing of a million")
     options = parser.parse_args()
     if options.quick:
-        options.rounds, options.sizes = 1, [size for size in options.sizes if size < LARGE]
-    found, loads, begun = {}, [], time.time()
-    for number in range(options.rounds):
-        for threads in options.threads:
-            for build in filter(None, (options.build, options.float)):
-                loads += take(found, build, threads, number, options)
-        print(f"round {number + 1} of {options.rounds}: {time.time() - begun:.0f} s, load {loads[-1]:.1f}", flush=True)
+        options.rounds = 1
+    kept = Kept(options.build / "bench" / "measured", newest=max(p.stat().st_mtime for p in programs(options.build)))
+    begun = time.time()
+    found = take_rounds(options, kept)
+    start = {threads: kept.get(f"start-up-{threads}", lambda: start_up.measure(options.build / "swarf", threads))
+             for threads in (() if options.quick else options.threads)}
     names = list(dict.fromkeys(key[0] for key in found))  # in the order of the programs
     results = {
         "commit": commit(), "date": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
         "processor": processor(), "cores": os.cpu_count(), "rounds": options.rounds, "seconds": time.time() - begun,
-        "load_average": {"first": loads[0], "median": statistics.median(loads), "most": max(loads)},
+        "load_average": {"first": kept.loads[0], "median": statistics.median(kept.loads), "most": max(kept.loads)},
+        "start_up": start,
         "rows": [row_of(key, found[key]) for key in sorted(found, key=lambda key: (names.index(key[0]), *key[1:]))]}
     RESULTS.write_text(json.dumps(results, indent=1) + "\n")
+    kept.forget()
 
 
 if __name__ == "__main__":

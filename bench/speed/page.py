@@ -1,13 +1,18 @@
 #!/usr/bin/env python3
-"""docs/speed.md and docs/roofline.*: all from bench/results.json, but for the peers' figures (peers.py)."""
+"""docs/speed.md, docs/roofline.* and docs/growth.*: all from bench/results.json, but for the peers' figures (peers.py),
+the targets (targets.py) and a GPU's data sheet (gpu.py)."""
+import gpu
+import growth
+import memory
 import peers
 import roofline
+import targets
 from results import DOCS, Results
 
 HEAD = """# Speed
 
 Made by `bench/run`; every number of ours is from `bench/results.json`. Commit {commit}, {date}; {processor}, {cores}
-cores, {rounds} rounds. Times are medians of the rounds (sizes of a million: one round), "best" the fastest round,
+cores, rounds: {rounds}. Times are medians of the rounds (sizes of a million and more: one round), "best" the fastest round,
 ratios are taken within a round.
 
 **How quiet the machine was:** load average {first:.1f} at the start, median {median:.1f}, most {most:.1f} on {cores}
@@ -15,14 +20,19 @@ cores; a process of one thread got {share:.0f} % of a core (median of all rows).
 of threads and the share 100 %; otherwise the rates below are too low, those on two threads most. "Core": rate by the
 processor time of one thread, which does not count waiting for other programs.
 
-Ceilings, best of the rounds, double: {ceilings}."""
+Ceilings, best of the rounds, double: {ceilings}.
+
+## Targets
+
+Set for 2 cores before anything was measured.
+"""
 
 STEP_TEXT = """
 ## The whole step
 
 Settings of `inputs/orthogonal_cutting.toml` (its stabilisers, conduction, contact), bodies scaled to the size; from one
-rebuild of the neighbour lists to the next, checks and samples included. Plain sums: without hourglass stiffness and
-artificial stress. M/s: million particle-, or hex-, steps a second.
+rebuild of the neighbour lists to the next, checks and samples included. Plain sums: without hourglass stiffness.
+M/s: million particle-, or hex-, steps a second.
 """
 
 KERNEL_TEXT = """
@@ -66,7 +76,7 @@ def step_rows(results):
     yield "| scene | size | bits | core, M/s | M/s, 1 thread | best | M/s, 2 threads | best | 2 over 1 thread |"
     yield "|" + "---|" * 9
     for name in results.names(step=True):
-        for size in results.sizes():
+        for size in results.step_sizes(name):
             for bits in (64, 32):
                 one, two = (results.get(name, size, threads, bits) for threads in (1, 2))
                 if not one or not two:
@@ -86,6 +96,18 @@ def phase_rows(results, size):
     yield "|---|" + "---|" * len(names)
     for phase in phases:
         yield f"| {phase} | " + " | ".join(f"{1e9 * rows[name]['phases'].get(phase, 0):.1f}" for name in names) + " |"
+
+
+def start_line(results):
+    """Of the program, from its start to the first step of the full scene."""
+    runs = results.all.get("start_up", {})
+    if not runs:
+        return ""
+    deck, most = next(iter(runs.values()))["deck"], max(run["most_resident"] for run in runs.values())
+    times = ", ".join(f"{run['seconds']:.1f} s on {threads} thread{'s' if int(threads) > 1 else ''} "
+                      f"({run['core_seconds']:.1f} s of a core in all)" for threads, run in runs.items())
+    return (f"\nStart-up, from the start of the program to the first step of `inputs/{deck}`, first frame and checkpoint\n"
+            f"written: {times}. Most memory: {most / 1e6:.0f} MB.")
 
 
 def kernel_rows(results):
@@ -134,9 +156,11 @@ def main():
     results = Results()
     size = 100_000 if 100_000 in results.sizes() else results.sizes()[-1]
     roofline.draw(results, size)
-    lines = [head(results), STEP_TEXT, *step_rows(results), *phase_rows(results, size),
-             KERNEL_TEXT.format(width=8), list_line(results, size), *kernel_rows(results), PEER_TEXT,
-             *peer_rows(results, size)]
+    growth.draw(results)
+    lines = [head(results), *targets.rows(results), STEP_TEXT, *step_rows(results), start_line(results),
+             *phase_rows(results, size), growth.TEXT, *memory.lines(results), KERNEL_TEXT.format(width=8),
+             list_line(results, size), *kernel_rows(results), PEER_TEXT, *peer_rows(results, size),
+             *gpu.lines(results, results.sizes()[-1])]
     (DOCS / "speed.md").write_text("\n".join(lines) + "\n")
 
 

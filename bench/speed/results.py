@@ -23,11 +23,21 @@ class Results:
     def sizes(self):
         return sorted({row["size"] for row in self.all["rows"] if row["name"] in self.names(step=False)})
 
+    def step_sizes(self, name):
+        return sorted({row["size"] for row in self.all["rows"] if row["name"] == name and row["bits"] == 64})
+
     def ceiling(self, threads, bits=64):
-        """Operations and bytes per second, the most of all rounds: what the machine can do."""
+        """Operations and bytes per second, the most of all rounds: what the machine can do. On one thread by processor
+        time, which does not count waiting for other programs."""
         (fma,), (triad,) = ([row for row in self.all["rows"] if row["name"] == name and row["threads"] == threads
                              and row["bits"] == bits] for name in ("peak_fma", "triad"))
-        return fma["flops_per_item"] / fma["best"], triad["bytes_per_item"] / triad["best"]
+        best = [min(self.seconds(row), row["best"]) for row in (fma, triad)]
+        return fma["flops_per_item"] / best[0], triad["bytes_per_item"] / best[1]
+
+    @staticmethod
+    def seconds(row):
+        """Of an item: of a core on one thread, by the clock on two."""
+        return row.get("core_seconds_per_item", row["seconds_per_item"])
 
     def share(self, row, quantity):
         """Of the ceiling of the same round, median of the rounds."""
