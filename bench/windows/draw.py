@@ -209,6 +209,8 @@ def compare(part, reference):
 
 
 def write_cost(part, whole):
+    if "end" in part:
+        return f" It was run to {part['end']:.0f} deg so far, in {part['core_seconds']:.0f} core-seconds."
     if "core_seconds" not in whole:
         return ""
     return (f" It took {part['core_seconds']:.0f} core-seconds: {100 * part['core_seconds'] / whole['core_seconds']:.0f}"
@@ -232,7 +234,7 @@ def write_retired(found):
              f"the mean.{write_cost(part, whole)} {compare(part, whole)}; worst energy residual "
              f"{100 * part['energy_residual']:.2f} % of the external work.", "",
              f"{left['particles']} particles left. Had they flown on in a straight line, {left['met_since']} of them would have "
-             f"met the tool or the work by the end, which the forces lack."]
+             f"met the tool or the work since, which the forces lack."]
     if "asleep" in found:
         lines += ["", f"Against the pass with its far part asleep: {compare(part, found['asleep'])}."]
     return lines + [""]

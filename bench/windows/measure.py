@@ -5,7 +5,7 @@ their forces: results.json beside this file. What it holds of runs that are not 
 usage: measure.py PROGRAM [--scene] [--only NAME] [--no-run]
 --scene: runs windows of the whole scene too, each a quarter of an hour of one core
 --only NAME: runs only that one of the parts "asleep" and "retired"
---no-run: measures what has run, also an unfinished whole pass
+--no-run: measures what has run, also an unfinished whole pass, or an interrupted part
 """
 import csv
 import json
@@ -72,8 +72,22 @@ def run_whole(program, name, deck):
     folder = RESULTS / name
     if not is_complete(folder):
         resume = ["--resume"] if (folder / "checkpoint.h5").exists() else []
+        keep_cost(folder)
         subprocess.run([program, "run", deck, "--whole", "--output", folder, "--threads", "1", "--no-pictures", *resume],
                        check=True)
+
+
+def keep_cost(folder):
+    """Of the part that was interrupted: the summary that comes next is of the rest only."""
+    if (folder / "summary.json").exists():
+        (folder / "costs.json").write_text(json.dumps(read_costs(folder)))
+        (folder / "summary.json").unlink()
+
+
+def read_costs(folder):
+    """One for each time that the run was started."""
+    before = json.loads((folder / "costs.json").read_text()) if (folder / "costs.json").exists() else []
+    return before + [json.loads((folder / "summary.json").read_text())["cost"]]
 
 
 def is_complete(folder):
@@ -133,11 +147,14 @@ def measure_probe(name):
 
 def measure_part(name):
     summary = json.loads((RESULTS / name / "summary.json").read_text())
-    cost = summary["cost"]
-    moved = cost["particle_steps_per_second"] * cost["wall_seconds"]
-    found = {"distance": SLEEP_DISTANCE, "core_seconds": cost["cpu_seconds"], "bins": bins(read_samples(RESULTS / name)),
-             "awake": moved / (summary["particles"] * cost["steps"]),
+    costs = read_costs(RESULTS / name)
+    moved = sum(cost["particle_steps_per_second"] * cost["wall_seconds"] for cost in costs)
+    found = {"distance": SLEEP_DISTANCE, "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
+             "bins": bins(read_samples(RESULTS / name)),
+             "awake": moved / (summary["particles"] * summary["steps"]),
              "energy_residual": summary["energies"]["worst_residual_over_external"]}
+    if not is_complete(RESULTS / name):
+        found["end"] = read_samples(RESULTS / name)[-1][0]
     if "retired" in summary:
         found |= {"retire_distance": RETIRE_DISTANCE,
                   "retired": {key: summary["retired"][key] for key in ("particles", "met_since")}}
@@ -185,7 +202,7 @@ def main():
     if (RESULTS / "whole" / "history.csv").exists():
         found |= measure_pass()
     for name in PARTS:
-        if is_complete(RESULTS / name):
+        if (RESULTS / name / "summary.json").exists():
             found[name] = measure_part(name)
     if (RESULTS / "scene" / "windows.csv").exists():
         found["scene"] = measure_scene()
