@@ -210,7 +210,7 @@ def compare(part, reference):
 
 def write_cost(part, whole):
     if "end" in part:
-        return f" It was run to {part['end']:.0f} deg so far, in {part['core_seconds']:.0f} core-seconds."
+        return f" It has run to {part['end']:.0f} deg so far, in {part['core_seconds']:.0f} core-seconds."
     if "core_seconds" not in whole:
         return ""
     return (f" It took {part['core_seconds']:.0f} core-seconds: {100 * part['core_seconds'] / whole['core_seconds']:.0f}"
@@ -236,7 +236,7 @@ def write_retired(found):
              f"{left['particles']} particles left. Had they flown on in a straight line, {left['met_since']} of them would have "
              f"met the tool or the work since, which the forces lack."]
     if "asleep" in found:
-        lines += ["", f"Against the pass with its far part asleep: {compare(part, found['asleep'])}."]
+        lines += ["", f"Against the pass with only its far part asleep, at the same angles. {compare(part, found['asleep'])}."]
     return lines + [""]
 
 
