@@ -1,5 +1,6 @@
 #include "src/check.hpp"
 #include "src/accuracy.hpp"
+#include "src/hex_conversion.hpp"
 #include "src/run.hpp"
 #include "src/simulation.hpp"
 #include "src/windows.hpp"
@@ -38,13 +39,15 @@ double mass_of(const Scene& scene) {
 double uncut_chip(const Deck& deck, const Scene& scene) {
   if (deck.tool->kind == "end_mill") return deck.tool->feed_per_tooth;
   const auto x = host_copy(scene.particles.position);
+  const auto node = host_copy(scene.hexes.position);
   double top = -1e300;
-  for (int i : particle_rows(scene.particles)) top = std::max(top, double(x(i, 1)));
-  return top + 0.5 * scene.spacing - deck.tool->position[1];
+  for (int i : particle_rows(scene.particles)) top = std::max(top, double(x(i, 1)) + 0.5 * scene.spacing);
+  for (int a = 0; scene.conversion && a < scene.hexes.nodes; ++a) top = std::max(top, double(node(a, 1)));
+  return top - deck.tool->position[1];
 }
 
 void check_cutting(const Deck& deck, const Scene& scene, Findings& found) {
-  if (!deck.tool || scene.particles.count == 0) return;
+  if (!deck.tool || (scene.particles.count == 0 && !scene.conversion)) return;
   const ToolDeck& tool = *deck.tool;
   const bool cuts = tool.kind == "end_mill" || tool.kind == "wedge";
   if (!cuts) return;
@@ -128,6 +131,9 @@ int check_deck(const std::string& file) {
   found.line("hexes", "{} ({} nodes)", scene.hexes.points.count, scene.hexes.nodes);
   found.line("mass", "{:.6g} kg", mass_of(scene));
   found.line("time step", "{:.4g} s, limited by {}", simulation.dt(), simulation.limiter());
+  if (scene.conversion)
+    found.line("hexes that may become particles", "{}, {} already have; the time below is that of now",
+               scene.conversion->count(), scene.layout ? scene.layout->converted() : 0);
   const double steps = end_time_of(deck) / simulation.dt();
   found.line("steps", "{:.4g} for {:.4g} s", steps, end_time_of(deck));
   const int trial = 10;

@@ -45,9 +45,13 @@ struct BodyDeck {
   bool previous_tooth = false; // ring: inner surface as the previous tooth of the tool left it
   Triple velocity{};
   double temperature = 0;
-  std::string tie; // hexes that this body's particles are tied to, or empty
+  std::string tie;                        // hexes that this body's particles are tied to, or empty
+  std::optional<double> convert_distance; // m: hexes nearer to the tool become particles
+  std::optional<double> convert_strain;   // or those of this equivalent plastic strain
+  int convert_particles = 2;              // along each edge of a hex
   std::vector<FaceDeck> faces;
   int line = 0; // of the deck, for messages
+  bool converts() const { return convert_distance || convert_strain; }
   bool operator==(const BodyDeck&) const = default;
 };
 

@@ -11,12 +11,6 @@ namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
 
-// The line of the key if the deck has it, else that of its table.
-const toml::node& find_place(const toml::table& table, const std::string& key) {
-  const toml::node* node = table.get(key);
-  return node ? *node : table;
-}
-
 bool is_whole_ring(const BodyDeck& body) {
   return body.end_angle - body.start_angle >= whole_turn * (1 - 1e-12);
 }
@@ -292,6 +286,7 @@ void check_deck(const Deck& deck, const toml::table& root, DeckReport& report) {
   check_spindle(deck, root, report);
   check_kernel_frame(deck, root, report);
   check_retire(deck, root, report);
+  check_conversion(deck, root, report);
   for (std::size_t i = 0; i < deck.bodies.size(); ++i)
     if (deck.bodies[i].previous_tooth && (!deck.tool || deck.tool->kind != "end_mill"))
       report.add(find_place(*bodies.get(i)->as_table(), "previous_tooth"), "body.previous_tooth",

@@ -68,6 +68,7 @@ const Keys<BodyDeck>& body_keys() {
   using B = BodyDeck;
   const Range ring_angle{-360, 720};
   const std::vector<Condition> block_or_ring = shape({"block", "ring"}), cylinder = shape({"cylinder"});
+  const std::vector<Condition> lattice_of_hexes = {{"fill", {"hexes"}}, {"shape", {"block", "ring"}}};
   static const Keys<B> keys = {
       {"name", &B::name, D::none, Text{}, required, always, "unique among the bodies"},
       {"shape", &B::shape, D::none, Choices{"block", "cylinder", "ring", "sphere"}, required, always,
@@ -101,6 +102,13 @@ const Keys<BodyDeck>& body_keys() {
       {"temperature", &B::temperature, D::temperature, positive, R"("25 degC")", always, "at the start"},
       {"tie", &B::tie, D::none, Text{}, optional, fill({"particles"}),
        "name of the body of hexes that these particles are tied to"},
+      {"convert_distance", &B::convert_distance, D::length, positive, optional, lattice_of_hexes,
+       "hexes whose centre is nearer than this to the tool become particles, for good; those on a fixed or "
+       "driven face stay hexes"},
+      {"convert_strain", &B::convert_strain, D::none, positive, optional, lattice_of_hexes,
+       "hexes whose equivalent plastic strain reaches this become particles; with convert_distance: either"},
+      {"convert_particles", &B::convert_particles, D::none, Range{1, 4}, "2", lattice_of_hexes,
+       "particles along each edge of a hex that becomes particles"},
       {"faces", custom, D::none, any, optional, always,
        "table [body.faces]: FACE = \"fixed\" | \"symmetric\" | \"periodic\" | { velocity = [...] }. "
        "Faces of a block: x_min x_max y_min y_max z_min z_max; of a cylinder: bottom top side; of a ring: "

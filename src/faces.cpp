@@ -73,7 +73,7 @@ class Collector {
     for (const FilledBody& b : bodies) {
       hold_faces(b);
       for (const auto& [low, high] : b.shape.face_names())
-        b.has_particles() ? add_planes(b, low, high) : void();
+        b.has_particles() || b.deck->converts() ? add_planes(b, low, high) : void();
       if (!b.has_particles()) couple_faces(b);
     }
     check_tied_faces();

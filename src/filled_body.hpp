@@ -10,7 +10,7 @@ struct FilledBody {
   int row = 0;      // of deck.bodies
   int material = 0; // row of deck.materials
   Shape shape;
-  PointSet points; // one of the two is empty
+  PointSet points; // one of the two is empty; hexes that become particles have a spacing, too
   HexSet hexes;
   int first = 0; // row of the first particle, or of the first node
   int first_hex = 0;

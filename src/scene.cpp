@@ -1,4 +1,5 @@
 #include "src/scene.hpp"
+#include "src/hex_conversion.hpp"
 #include "src/scene_parts.hpp"
 #include "src/tool_geometry.hpp"
 #include "src/upload.hpp"
@@ -54,6 +55,9 @@ std::vector<FilledBody> fill_bodies(const Deck& deck) {
       if (filled.points.position.empty()) reject(deck, body, "spacing", "holds no particle. Make it smaller");
     } else {
       filled.hexes = fill_hexes(filled.shape), filled.first = nodes, filled.first_hex = hexes;
+      if (body.converts())
+        filled.points.spacing =
+            std::cbrt(filled.shape.volume() / double(filled.hexes.hex.size())) / body.convert_particles;
     }
     particles += int(filled.points.position.size());
     nodes += int(filled.hexes.node.size()), hexes += int(filled.hexes.hex.size());
@@ -109,7 +113,8 @@ void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& sc
   double cell = 0; // largest, so that gaps and penetrations of a cell stay within reach
   for (const FilledBody& b : bodies) {
     const double share = b.shape.volume() / double(std::max<std::size_t>(1, b.hexes.hex.size()));
-    cell = std::max(cell, b.has_particles() ? b.points.spacing : scene.spacing > 0 ? 0.0 : std::cbrt(share));
+    const bool touches = scene.spacing == 0 || b.deck->converts();
+    cell = std::max(cell, b.has_particles() ? b.points.spacing : touches ? std::cbrt(share) : 0.0);
   }
   scene.tool = build_tool(surface, *deck.tool, 2 * cell);
 }
@@ -128,7 +133,7 @@ Scene build_scene(const Deck& deck) {
   scene.skin = deck.particles.kernel_frame == "initial" ? 0 : deck.particles.skin * support; // nobody moves
   scene.cutoff = support + scene.skin;
   for (const FilledBody& b : bodies)
-    if (b.has_particles() && (scene.spacing == 0 || b.points.spacing < scene.spacing))
+    if (b.points.spacing > 0 && (scene.spacing == 0 || b.points.spacing < scene.spacing))
       scene.spacing = b.points.spacing;
 
   scene.hex_diagonal = largest_diagonal(bodies);
@@ -142,6 +147,7 @@ Scene build_scene(const Deck& deck) {
   std::vector<int> hex_body;
   for (const FilledBody& b : bodies) hex_body.insert(hex_body.end(), b.hexes.hex.size(), b.row);
   scene.hex_body = upload("hex_body", hex_body);
+  scene.conversion = make_conversion(deck, bodies, faces, scene.hexes, scene.cutoff);
   scene.tie = make_tie(tied, scene.hexes);
   scene.tie.row = upload<IndexField>("tie.row", scene.tie.count,
                                      [&](auto& f, int k) { f(k) = scene.particles.count + k; });

@@ -6,8 +6,12 @@
 #include "swarf/tie.hpp"
 #include "swarf/tool.hpp"
 #include "swarf/transform.hpp"
+#include <memory>
 
 namespace swarf {
+
+struct HexConversion;
+struct ConversionLayout;
 
 // Everything that the step works on. Particles are allocated for count + tied rows; images come later.
 struct Scene {
@@ -25,6 +29,8 @@ struct Scene {
   double cutoff = 0;       // largest support 2 h + skin, m
   double hex_diagonal = 0; // of the largest hex, m; 0 without hexes
   double skin = 0;
+  std::shared_ptr<const HexConversion> conversion; // null: no hex becomes particles
+  std::shared_ptr<const ConversionLayout> layout;  // null: none has yet
 };
 
 // Rows of the particles, awake and asleep, without the tied ones.

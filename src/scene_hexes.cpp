@@ -43,9 +43,10 @@ std::vector<Hex> list_hexes(const Deck& deck, const std::vector<FilledBody>& bod
   return hexes;
 }
 
-// Share of the free surface: not where particles are tied, nor on periodic and symmetric planes.
-std::vector<double> surface_shares(const std::vector<FilledBody>& bodies, std::size_t nodes) {
-  std::vector<double> area(nodes, 0);
+} // namespace
+
+std::vector<FreeQuad> list_free_quads(const std::vector<FilledBody>& bodies) {
+  std::vector<FreeQuad> free;
   for (const FilledBody& b : bodies) {
     if (b.has_particles()) continue;
     std::vector<std::vector<bool>> inner_faces;
@@ -64,10 +65,12 @@ std::vector<double> surface_shares(const std::vector<FilledBody>& bodies, std::s
         return p.has_particles() && p.deck->tie == b.deck->name && touches_particles(b.hexes, quad, p);
       });
       if (inner || tied) continue;
-      for (int node : quad.node) area[std::size_t(b.first + node)] += 0.25 * area_of(b.hexes, quad).norm();
+      FreeQuad one{quad.node, b.first_hex + quad.hex, area_of(b.hexes, quad).norm()};
+      for (int& node : one.node) node += b.first;
+      free.push_back(one);
     }
   }
-  return area;
+  return free;
 }
 
 void share_masses(std::vector<double>& mass, const Faces& faces) {
@@ -75,6 +78,8 @@ void share_masses(std::vector<double>& mass, const Faces& faces) {
     for (const auto& [master, slave, transform] : faces.coupled_nodes)
       if (transform == int(pass)) mass[master] = mass[slave] = 0.5 * (mass[master] + mass[slave]);
 }
+
+namespace {
 
 void gather_corners(HexMesh& m, const std::vector<Hex>& hexes) {
   std::vector<int> start(std::size_t(m.nodes) + 1, 0), corner(8 * hexes.size());
@@ -101,7 +106,9 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
   for (const Hex& hex : hexes)
     for (int node : hex.node) mass[std::size_t(node)] += density(hex) * hex.volume / 8;
   share_masses(mass, faces);
-  const std::vector<double> area = surface_shares(bodies, nodes.size());
+  std::vector<double> area(nodes.size(), 0);
+  for (const FreeQuad& quad : list_free_quads(bodies))
+    for (int node : quad.node) area[std::size_t(node)] += 0.25 * quad.area;
 
   HexMesh m;
   const int n = int(hexes.size());

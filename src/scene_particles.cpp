@@ -41,17 +41,8 @@ std::vector<int> particle_rows(const Particles& p) {
   return rows;
 }
 
-Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies,
-                         const std::vector<TiedPoint>& tied, const Faces& faces) {
-  const std::vector<Row> rows = list_rows(bodies, tied);
-  const int n = int(rows.size());
+Particles allocate_particles(const Deck& deck, int n) {
   Particles p;
-  p.tied = int(tied.size());
-  p.count = n - p.tied;
-  p.points.count = n;
-  p.listed = p.stored = p.total = n;
-  p.whole = p.count;
-  // Every field zero at first; what is left so is derived or history.
   const auto allocate = [&](const std::string& name, auto& field) {
     field = std::decay_t<decltype(field)>(name, std::size_t(n));
   };
@@ -71,6 +62,19 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
     allocate("heat_state", p.heat_state), allocate("heat_shape", p.heat_shape);
     allocate("heat", p.heat);
   }
+  return p;
+}
+
+Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies,
+                         const std::vector<TiedPoint>& tied, const Faces& faces) {
+  const std::vector<Row> rows = list_rows(bodies, tied);
+  const int n = int(rows.size());
+  Particles p = allocate_particles(deck, n); // what is left zero is derived or history
+  p.tied = int(tied.size());
+  p.count = n - p.tied;
+  p.points.count = n;
+  p.listed = p.stored = p.total = n;
+  p.whole = p.count;
 
   const auto vector = [&](auto&& value) {
     return [&rows, value](auto& f, int i) { store_vector(f, i, to_vector3(value(rows[std::size_t(i)]))); };

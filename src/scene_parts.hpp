@@ -8,6 +8,9 @@ namespace swarf {
 
 Material make_material(const MaterialDeck& deck);
 
+// Every field of `rows` rows that the deck's methods use, zero; the counts are the caller's.
+Particles allocate_particles(const Deck& deck, int rows);
+
 // Rows: the particles of all bodies, then the tied points.
 Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies,
                          const std::vector<TiedPoint>& tied, const Faces& faces);
@@ -15,6 +18,16 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
 // All bodies of hexes. A hex's mass is its density times the volume of its straight-edged hex, an eighth of
 // it goes to each node; periodic pairs share theirs equally. Throws DeckError for an inverted hex.
 HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, const Faces& faces);
+
+// The surface of the hexes that a tool may touch: not where particles are tied, nor on periodic and symmetric
+// planes. Rows of the scene's mesh.
+struct FreeQuad {
+  std::array<int, 4> node;
+  int hex;
+  double area; // m2
+};
+std::vector<FreeQuad> list_free_quads(const std::vector<FilledBody>& bodies);
+void share_masses(std::vector<double>& mass, const Faces& faces); // of periodic pairs of nodes
 
 // Throws DeckError: a cell of one body lies in another body, by more than 5 % of a cell.
 void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies);

@@ -28,6 +28,7 @@ void Simulation::step() {
   kick_half();
   move();
   timer.mark("integrate");
+  if (conversion_due) convert();
   if (rest_due) rest();
   if (lists_due) rebuild_lists();
   follow_hexes_and_images();

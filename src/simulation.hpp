@@ -61,6 +61,9 @@ class Simulation {
   void compute_forces();
   void press_tool();
   void conduct();
+  void convert(); // hexes that are near to the tool or strained become particles
+  void plan_conversion();
+  double energy_of_motion_and_state() const;
   Sleep sleep_of() const;
   void rest();   // decides what sleeps
   void retire(); // and what leaves
@@ -97,6 +100,9 @@ class Simulation {
   bool lists_due = false, rest_due = false;
   double rested_at = 0;       // s
   VectorField first_position; // of each particle's identity; 0 rows where nothing retires
+  bool conversion_due = false, contact_is_new = false;
+  double looked_at = 0;          // s, for hexes to convert
+  double lost_in_conversion = 0; // J, of motion that particles do not have, and of the contact's springs
   double moved_particles = 0;
   double initial_energy = 0, driving_speed = 0, slowest_drive = 0; // m/s
   double elastic_scale = 0;                                        // J

@@ -1,4 +1,5 @@
 // Everything about a Simulation that is not the step: construction, checks, samples, checkpoints.
+#include "src/convert_hexes.hpp"
 #include "src/simulation.hpp"
 #include "src/write_hdf5.hpp"
 #include <algorithm>
@@ -111,6 +112,8 @@ Simulation::Simulation(const Deck& from)
 
 void Simulation::start() {
   timer.restart();
+  convert();
+  lost_in_conversion = 0; // the run begins with what it has now
   rebuild_lists();
   release_freed_memory();
   step_size = 0; // rates and forces of the initial state; nothing moves, no history is made
@@ -170,6 +173,8 @@ void Simulation::check() {
   lists_due = lists_age && room < reach * double(interval);
   next_check = steps + interval;
   plan_rest(speed);
+  plan_conversion();
+  if (contact_is_new) contact_law.reference_step = Real(step_size), contact_is_new = false;
   timer.mark("checks");
 }
 
@@ -185,11 +190,12 @@ HistorySample Simulation::sample() {
   s.viscous = double(a.viscous) + b.viscous;
   s.hourglass = double(a.hourglass) + b.hourglass;
   s.contact = double(a.contact) + b.contact;
+  s.tie = lost_in_conversion;
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
   tool_work += load.work;
   s.external = double(a.external) + b.external + tool_work;
-  s.residual = s.kinetic + s.elastic + s.plastic + s.frictional + s.viscous + s.hourglass + s.contact -
-               initial_energy - s.external;
+  s.residual = s.kinetic + s.elastic + s.plastic + s.frictional + s.viscous + s.hourglass + s.contact +
+               s.tie - initial_energy - s.external;
   const double taken = std::max(1.0, double(steps - steps_at_sample));
   const double scale = deck.output.force_scale / taken;
   s.force = {scale * load.force.x, scale * load.force.y, scale * load.force.z};
@@ -238,6 +244,9 @@ void Simulation::write_state(CheckpointWriter& out) const {
   out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
   out.put("status", value_of(status)), out.put("hex_status", value_of(hex_status));
   out.put("initial_energy", initial_energy), out.put("tool_work", tool_work);
+  if (!model.conversion) return;
+  out.put("conversion_due", int(conversion_due)), out.put("looked_at", looked_at);
+  out.put("lost_in_conversion", lost_in_conversion);
 }
 
 void Simulation::read_state(const CheckpointReader& in) {
@@ -249,6 +258,15 @@ void Simulation::read_state(const CheckpointReader& in) {
   };
   in.get("awake", p.count), in.get("awake_tied", p.tied), in.get("listed", p.listed);
   p.points.count = p.count + p.tied;
+  if (model.conversion) { // its fields take other rows than at the start
+    in.get("hexes/active", model.hexes.active);
+    restore_conversion(deck, model, {p.count, p.tied});
+    ensure_rows(loads.blocks, std::size_t(p.count / ToolLoadSums::block + 1));
+    int due = 0;
+    in.get("conversion_due", due), in.get("looked_at", looked_at);
+    in.get("lost_in_conversion", lost_in_conversion);
+    conversion_due = due != 0;
+  }
   in.get("rested_at", rested_at);
   int rests = 0;
   in.get("rest_due", rests);

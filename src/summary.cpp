@@ -1,5 +1,6 @@
 #include "src/summary.hpp"
 #include "swarf/retire.hpp"
+#include "src/hex_conversion.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -65,8 +66,9 @@ Json shapes_of(const Deck& deck, const Scene& scene) {
   const auto node = host_copy(scene.hexes.position);
   const auto corner = host_copy(scene.hexes.connectivity);
   const auto hex_body = host_copy(scene.hex_body);
+  const auto left = host_copy(scene.hexes.points.mass); // none where particles have taken over
   for (int e = 0; e < scene.hexes.points.count; ++e)
-    for (int a = 0; a < 8; ++a) grow(hex_body(e), load_vector(node, corner(e, a)), 0);
+    for (int a = 0; left(e) > 0 && a < 8; ++a) grow(hex_body(e), load_vector(node, corner(e, a)), 0);
   Json all;
   for (std::size_t b = 0; b < deck.bodies.size(); ++b) {
     Json one;
@@ -158,6 +160,7 @@ void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulati
   }
   summary.set("particles", scene.particles.whole).set("tied_particles", scene.tie.count);
   summary.set("hexes", scene.hexes.points.count).set("nodes", scene.hexes.nodes);
+  if (scene.conversion) summary.set("converted_hexes", scene.layout ? scene.layout->converted() : 0);
   summary.set("steps", s.step_count()).set("time", s.time()).set("dt", s.dt());
   summary.set("list_rebuilds", s.rebuilds()).set("leaked_particles", leaked);
   summary.set("hottest", largest(raw.at("max_temperature")));

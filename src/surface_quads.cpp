@@ -42,6 +42,7 @@ std::vector<SurfaceQuad> find_surface(const HexSet& hexes) {
       if (neighbors[h][s] >= 0) continue;
       SurfaceQuad quad{};
       for (int c = 0; c < 4; ++c) quad.node[c] = hexes.hex[h][side[s][c]];
+      quad.hex = int(h);
       surface.push_back(quad);
     }
   return surface;

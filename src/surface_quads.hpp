@@ -9,6 +9,7 @@ std::vector<std::array<int, 6>> find_face_neighbors(const HexSet& hexes);
 
 struct SurfaceQuad {
   std::array<int, 4> node; // of the body's HexSet, counter-clockwise from outside
+  int hex = 0;             // of the HexSet
 };
 std::vector<SurfaceQuad> find_surface(const HexSet& hexes);
 

@@ -315,6 +315,30 @@ TEST(DeckFaultsOfMethods, initial_frame_conducts_no_heat) {
   expect_fault(edit_deck("[run]", cold, heated), {"particles.kernel_frame: \"initial\" conducts no heat"});
 }
 
+TEST(DeckFaultsOfMethods, hexes_that_become_particles) {
+  const auto bulk = [](const std::string& keys, const std::string& deck = good_deck) {
+    return edit_deck("cells = [20, 2, 8]", "cells = [20, 2, 8]\n" + keys, deck);
+  };
+  const std::string free = edit_deck("tie = \"bulk\"\n", ""), near = "convert_distance = \"20 um\"";
+  EXPECT_EQ(read_fault(bulk(near, free)), "no error");
+  expect_fault(bulk(near), {"26: body.tie: does not go with hexes that become particles"});
+  expect_fault(bulk("convert_particles = 2", free),
+               {"body.convert_particles: nothing says when hexes become particles. Give convert_distance"});
+  expect_fault(edit_deck("spacing = \"2.5 um\"", "spacing = \"2.5 um\"\n" + near),
+               {"26: body.convert_distance: does not apply to fill = \"particles\". Remove it"});
+  const std::string no_tool = free.substr(0, free.find("[tool]")) + "[run]\nend_time = \"1 ms\"\n";
+  expect_fault(bulk(near, no_tool), {"body.convert_distance: there is no [tool] to come near"});
+  for (const auto& [section, key] :
+       {std::pair<const char*, const char*>{"particles", "kernel_frame = \"initial\""},
+        {"particles", "density = \"summation\""},
+        {"sleep", "distance = \"60 um\""},
+        {"hexes", "delete_at_strain = 2.0"}}) {
+    const std::string name(key, std::string(key).find(' '));
+    expect_fault(edit_deck("[run]", std::string("[") + section + "]\n" + key + "\n[run]", bulk(near, free)),
+                 {std::string(section) + "." + name + ": does not go with hexes that become particles"});
+  }
+}
+
 TEST(DeckFaultsOfFiles, deck_is_missing_or_a_folder) {
   TemporaryFolder folder;
   const auto read = [](const std::string& file) -> std::string {

@@ -1,4 +1,5 @@
 // A run that is killed, interrupted or spread over threads ends in the same bytes as one that is not.
+#include "src/history.hpp"
 #include "src/results.hpp"
 #include "src/write_hdf5.hpp"
 #include "tests/support/run_program.hpp"
@@ -142,6 +143,27 @@ TEST(Restart, killed_while_chip_leaves) {
   const std::size_t whole = run_whole(deck, folder / "whole");
   EXPECT_THAT(read_bytes(folder / "whole" / "summary.json"), HasSubstr("\"retired\""));
   run_with_kills(deck, folder / "killed", whole, 3);
+  expect_equal(folder / "whole", folder / "killed");
+  run_whole(deck, folder / "two threads", 2);
+  expect_equal(folder / "whole", folder / "two threads");
+}
+
+// One body of hexes, of which more and more become particles ahead of the tooth.
+TEST(Restart, killed_while_hexes_become_particles) {
+  const TemporaryFolder folder;
+  const auto second = small_deck.find("[[body]]", small_deck.find("[[body]]") + 1);
+  std::string text = small_deck.substr(0, small_deck.find("[[body]]")) + small_deck.substr(second);
+  for (const auto& [from, to] :
+       Edits{{"inner_radius = \"415 um\"", "inner_radius = \"400 um\"\nprevious_tooth = true"},
+             {"cells = [7, 2, 6]", "cells = [7, 2, 9]\nconvert_distance = \"8 um\""}})
+    text.replace(text.find(from), from.size(), to);
+  const std::string deck = write_deck(folder, text);
+  const std::size_t whole = run_whole(deck, folder / "whole");
+  const HistoryTable history = read_history(folder / "whole" / "history.csv");
+  const auto& lost = history.at("tie_work");
+  EXPECT_EQ(lost.front(), 0);
+  EXPECT_GT(lost.back(), lost[lost.size() / 2]) << "no hex became particles on the way";
+  run_with_kills(deck, folder / "killed", whole, 4);
   expect_equal(folder / "whole", folder / "killed");
   run_whole(deck, folder / "two threads", 2);
   expect_equal(folder / "whole", folder / "two threads");

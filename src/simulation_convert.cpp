@@ -1,0 +1,44 @@
+// When hexes become particles, and what that costs.
+#include "src/convert_hexes.hpp"
+#include "src/hex_conversion.hpp"
+#include "src/simulation.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace swarf {
+
+double Simulation::energy_of_motion_and_state() const {
+  PointSums all = sum_particles(model.particles, Real(mass_factor));
+  all.add(sum_hexes(model.hexes, Real(mass_factor)));
+  return double(all.kinetic) + all.internal + all.friction + all.viscous + all.hourglass + all.contact -
+         all.external;
+}
+
+void Simulation::convert() {
+  if (!model.conversion) return;
+  conversion_due = false, looked_at = now;
+  const auto is_chosen = host_copy(choose_hexes(model.hexes, model.conversion->limits, pose()));
+  std::vector<int> chosen;
+  for (int e = 0; e < model.hexes.points.count; ++e)
+    if (is_chosen(e)) chosen.push_back(e);
+  timer.mark("conversion");
+  if (chosen.empty()) return;
+  const double before = energy_of_motion_and_state();
+  contact_is_new = model.particles.count == 0;
+  convert_hexes(deck, model, chosen);
+  lost_in_conversion += before - energy_of_motion_and_state();
+  ensure_rows(loads.blocks, std::size_t(model.particles.count / ToolLoadSums::block + 1));
+  lists_due = true;
+  next_check = std::min(next_check, steps + 1); // particles may ask for a shorter step
+  timer.mark("conversion");
+}
+
+// A plastic strain may come at any time, the tool only as fast as it moves.
+void Simulation::plan_conversion() {
+  if (!model.conversion) return;
+  const bool strains = std::any_of(deck.bodies.begin(), deck.bodies.end(),
+                                   [](const BodyDeck& b) { return b.convert_strain.has_value(); });
+  conversion_due = strains || driving_speed * (now - looked_at) >= model.conversion->travel;
+}
+
+} // namespace swarf
