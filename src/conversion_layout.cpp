@@ -1,5 +1,6 @@
 #include "src/hex_conversion.hpp"
 #include "swarf/cell_order.hpp"
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -26,47 +27,75 @@ std::vector<bool> grow(const HexConversion& of, std::vector<bool> marked, int ri
   return marked;
 }
 
-// Finds the nearest of a set of points within a range.
-class NearestPoint {
+// Where a particle's share of its hex lies.
+struct Brick {
+  Point centre;
+  Eigen::Matrix3d axes; // unit, in columns
+  Point half;           // edges
+  double distance(const Point& x) const {
+    return ((axes.transpose() * (x - centre)).cwiseAbs() - half).cwiseMax(0.0).norm();
+  }
+};
+
+Brick brick_of(const HexConversion& of, int e, int c) {
+  const auto& hex = of.hex[std::size_t(e)];
+  const int n = of.lattice[std::size_t(of.body[std::size_t(e)])].n;
+  Brick brick{of.place(e, c), Eigen::Matrix3d::Identity(), Point::Zero()};
+  const int to[3] = {1, 3, 4};
+  for (int d = 0; d < 3; ++d) {
+    const Point edge = of.node[std::size_t(hex[std::size_t(to[d])])] - of.node[std::size_t(hex[0])];
+    brick.axes.col(d) = edge.normalized(), brick.half[d] = 0.5 * edge.norm() / n;
+  }
+  return brick;
+}
+
+// Finds the nearest of a set of bricks within a range.
+class NearestBrick {
  public:
-  NearestPoint(std::vector<Point> set, double within) : points(std::move(set)), range(within) {
-    Point low(1e300, 1e300, 1e300);
-    for (const Point& x : points) low = low.cwiseMin(x);
-    grid = {to_vector3(Point(low - Point::Constant(range))), Real(range)};
-    for (std::size_t k = 0; k < points.size(); ++k) keys.emplace_back(key(points[k], 0, 0), int(k));
+  NearestBrick(std::vector<Brick> set, double within) : bricks(std::move(set)), range(within) {
+    Point low = Point::Constant(1e300);
+    double radius = 0;
+    for (const Brick& b : bricks) low = low.cwiseMin(b.centre), radius = std::max(radius, b.half.norm());
+    cell = range + radius;
+    grid = {to_vector3(Point(low - Point::Constant(cell))), Real(cell)};
+    for (std::size_t k = 0; k < bricks.size(); ++k) keys.emplace_back(key(bricks[k].centre, 0, 0), int(k));
     std::sort(keys.begin(), keys.end());
   }
   double distance(const Point& x) const { // at most the range
-    double least = range * range;
+    double least = range;
     for (int k = -1; k <= 1; ++k)
       for (int j = -1; j <= 1; ++j) {
         const CellKey middle = key(x, j, k);
         auto at = std::lower_bound(keys.begin(), keys.end(), std::pair(middle > 0 ? middle - 1 : 0, -1));
         for (; at != keys.end() && at->first <= middle + 1; ++at)
-          least = std::min(least, (points[std::size_t(at->second)] - x).squaredNorm());
+          least = std::min(least, bricks[std::size_t(at->second)].distance(x));
       }
-    return std::sqrt(least);
+    return least;
   }
 
  private:
-  std::vector<Point> points;
-  double range;
+  std::vector<Brick> bricks;
+  double range, cell = 0;
   CellGrid grid;
   std::vector<std::pair<CellKey, int>> keys;
   CellKey key(const Point& x, int j, int k) const {
-    return row_key(grid.index(to_vector3(Point(x + range * Point(0, j, k)))));
+    return row_key(grid.index(to_vector3(Point(x + cell * Point(0, j, k)))));
   }
 };
 
-// Adds the points' images across periodic faces.
-void add_images(std::vector<Point>& points, const Faces& faces) {
+// Adds the bricks' images across periodic faces.
+void add_images(std::vector<Brick>& bricks, const Faces& faces) {
   for (const Transform& map : faces.transforms) {
-    const std::size_t own = points.size();
-    const Tensor3 R = transpose(map.R);
-    const Transform back{R, Real(-1) * multiply(R, map.t)};
-    for (std::size_t k = 0; k < own; ++k) {
-      points.push_back(apply_to(map, points[k])), points.push_back(apply_to(back, points[k]));
-    }
+    const Tensor3 turn = transpose(map.R);
+    const Transform back{turn, Real(-1) * multiply(turn, map.t)};
+    const std::size_t own = bricks.size();
+    for (std::size_t k = 0; k < own; ++k)
+      for (const Transform& to : {map, back}) {
+        Brick image = bricks[k];
+        image.centre = apply_to(to, image.centre);
+        for (int d = 0; d < 3; ++d) image.axes.col(d) = apply_to({to.R, {0, 0, 0}}, image.axes.col(d));
+        bricks.push_back(image);
+      }
   }
 }
 
@@ -82,20 +111,19 @@ void tie_body(const HexConversion& of, const std::vector<bool>& converted, int b
   std::vector<bool> rest(near);
   for (std::size_t e = 0; e < rest.size(); ++e) rest[e] = near[e] && !converted[e];
   const std::vector<bool> behind = grow(of, rest, rings);
-  std::vector<Point> front;
+  std::vector<Brick> front;
   for (int e = 0; e < int(of.hex.size()); ++e)
     if (behind[std::size_t(e)] && converted[std::size_t(e)] && of.body[std::size_t(e)] == body)
-      for (int c = 0; c < of.cells_of(e); ++c) front.push_back(of.place(e, c));
+      for (int c = 0; c < of.cells_of(e); ++c) front.push_back(brick_of(of, e, c));
   if (front.empty()) return;
   add_images(front, of.faces);
-  const NearestPoint nearest(std::move(front), depth + lattice.spacing);
+  const NearestBrick nearest(std::move(front), depth);
   for (int e = 0; e < int(of.hex.size()); ++e) {
     if (!rest[std::size_t(e)] || of.body[std::size_t(e)] != body) continue;
     double sum = 0;
     const int cells = of.cells_of(e);
     for (int c = 0; c < cells; ++c) {
-      const double d = nearest.distance(of.place(e, c)) - 0.5 * lattice.spacing;
-      const double weight = std::clamp(1 - d / depth, 0.0, 1.0);
+      const double weight = std::clamp(1 - nearest.distance(of.place(e, c)) / depth, 0.0, 1.0);
       if (weight > 0) out.tied.push_back({e, c, weight});
       sum += weight;
     }

@@ -31,7 +31,7 @@ void check_conversion(const Deck& deck, const toml::table& root, DeckReport& rep
     const BodyDeck& body = deck.bodies[i];
     const toml::table& table = *bodies.get(i)->as_table();
     any = any || body.converts();
-    if (!body.converts() && table.contains("convert_particles"))
+    if (!body.converts() && body.convert_particles != 2) // the default, which the resolved deck writes
       report.add(find_place(table, "convert_particles"), "body.convert_particles",
                  "nothing says when hexes become particles. Give convert_distance or convert_strain");
     if (body.convert_distance && !deck.tool)

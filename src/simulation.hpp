@@ -63,7 +63,8 @@ class Simulation {
   void conduct();
   void convert(); // hexes that are near to the tool or strained become particles
   void plan_conversion();
-  double energy_of_motion_and_state() const;
+  double energy_in_contact();           // J, all there is, with the springs as the tool presses them now
+  double step_of_new_particles() const; // s, about; infinite where no hex converts
   Sleep sleep_of() const;
   void rest();   // decides what sleeps
   void retire(); // and what leaves
@@ -100,7 +101,7 @@ class Simulation {
   bool lists_due = false, rest_due = false;
   double rested_at = 0;       // s
   VectorField first_position; // of each particle's identity; 0 rows where nothing retires
-  bool conversion_due = false, contact_is_new = false;
+  bool conversion_due = false;
   double looked_at = 0;          // s, for hexes to convert
   double lost_in_conversion = 0; // J, of motion that particles do not have, and of the contact's springs
   double moved_particles = 0;

@@ -4,14 +4,33 @@
 #include "src/simulation.hpp"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swarf {
 
-double Simulation::energy_of_motion_and_state() const {
+// A particle presses another spring than the node in whose place it comes; what that makes or takes counts as
+// lost in the conversion.
+double Simulation::energy_in_contact() {
+  const bool touches = deck.tool && contact_law.reference_step > 0; // else the run has not begun
+  for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)})
+    if (touches)
+      tool_contact(points, model.tool, pose(), contact_law, model.materials, Real(mass_factor), Real(0));
   PointSums all = sum_particles(model.particles, Real(mass_factor));
   all.add(sum_hexes(model.hexes, Real(mass_factor)));
   return double(all.kinetic) + all.internal + all.friction + all.viscous + all.hourglass + all.contact -
          all.external;
+}
+
+double Simulation::step_of_new_particles() const {
+  double least = std::numeric_limits<double>::infinity();
+  if (!model.conversion) return least;
+  const auto materials = host_copy(model.materials);
+  for (const HexConversion::Lattice& lattice : model.conversion->lattice)
+    if (lattice.n > 0)
+      least = std::min(least, deck.run.courant * deck.particles.smoothing_ratio * lattice.spacing *
+                                  std::sqrt(mass_factor) /
+                                  double(longitudinal_wave_speed(materials(lattice.material))));
+  return least;
 }
 
 void Simulation::convert() {
@@ -23,10 +42,9 @@ void Simulation::convert() {
     if (is_chosen(e)) chosen.push_back(e);
   timer.mark("conversion");
   if (chosen.empty()) return;
-  const double before = energy_of_motion_and_state();
-  contact_is_new = model.particles.count == 0;
+  const double before = energy_in_contact();
   convert_hexes(deck, model, chosen);
-  lost_in_conversion += before - energy_of_motion_and_state();
+  lost_in_conversion += before - energy_in_contact();
   ensure_rows(loads.blocks, std::size_t(model.particles.count / ToolLoadSums::block + 1));
   lists_due = true;
   next_check = std::min(next_check, steps + 1); // particles may ask for a shorter step

@@ -123,7 +123,8 @@ void Simulation::start() {
   if (deck.sleep.distance) fall_asleep();
   steps = steps_at_sample = 0;
   check();
-  contact_law.reference_step = Real(step_size); // the penalty stays as it is when the step changes
+  // The penalty stays as it is when the step changes, and does not wait for particles that come.
+  contact_law.reference_step = Real(std::min(step_size, step_of_new_particles()));
   // Less what was given up by points that fell asleep at once.
   initial_energy =
       double(of_particles.kinetic) + of_hexes.kinetic - of_particles.external - of_hexes.external;
@@ -174,7 +175,6 @@ void Simulation::check() {
   next_check = steps + interval;
   plan_rest(speed);
   plan_conversion();
-  if (contact_is_new) contact_law.reference_step = Real(step_size), contact_is_new = false;
   timer.mark("checks");
 }
 

@@ -322,7 +322,7 @@ TEST(DeckFaultsOfMethods, hexes_that_become_particles) {
   const std::string free = edit_deck("tie = \"bulk\"\n", ""), near = "convert_distance = \"20 um\"";
   EXPECT_EQ(read_fault(bulk(near, free)), "no error");
   expect_fault(bulk(near), {"26: body.tie: does not go with hexes that become particles"});
-  expect_fault(bulk("convert_particles = 2", free),
+  expect_fault(bulk("convert_particles = 3", free),
                {"body.convert_particles: nothing says when hexes become particles. Give convert_distance"});
   expect_fault(edit_deck("spacing = \"2.5 um\"", "spacing = \"2.5 um\"\n" + near),
                {"26: body.convert_distance: does not apply to fill = \"particles\". Remove it"});
