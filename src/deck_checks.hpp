@@ -18,8 +18,8 @@ std::vector<std::string> list_faces(const BodyDeck& body);
 // "" if the face has no opposite.
 std::string find_opposite(const std::string& face);
 
-// Hexes that become particles: what that needs and what it does not go with.
-void check_conversion(const Deck& deck, const toml::table& root, DeckReport& report);
+// Methods that need others, or do not go together.
+void check_methods(const Deck& deck, const toml::table& root, DeckReport& report);
 
 // The line of the key if the deck has it, else that of its table.
 inline const toml::node& find_place(const toml::table& table, const std::string& key) {

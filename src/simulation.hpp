@@ -114,6 +114,7 @@ class Simulation {
 double elastic_scale_of(const MaterialPoints&,
                         const MaterialTable&); // J: mass times square of the wave speed
 unsigned long long value_of(const Status&);    // on the host
+void release_freed_memory();
 // Views of the fields that Newton's law moves, and that the tool touches. Made anew in each step: fields move
 // when images need room.
 Motion motion_of(const Particles&);

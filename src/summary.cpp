@@ -1,6 +1,6 @@
 #include "src/summary.hpp"
-#include "swarf/retire.hpp"
 #include "src/hex_conversion.hpp"
+#include "swarf/retire.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

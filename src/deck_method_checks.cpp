@@ -5,6 +5,44 @@
 namespace swarf {
 namespace {
 
+// What the initial frame leaves no meaning, or has no kernel for.
+void check_kernel_frame(const Deck& deck, const toml::table& root, DeckReport& report) {
+  const ParticlesDeck& p = deck.particles;
+  if (p.kernel_frame != "initial") return;
+  const toml::table& table = *root["particles"].as_table();
+  const auto refuse = [&](bool is_wrong, const std::string& key, const std::string& instead) {
+    if (is_wrong)
+      report.add(find_place(table, key), "particles." + key,
+                 "does not go with kernel_frame = \"initial\". " + instead);
+  };
+  refuse(p.smoothing_length == "evolving", "smoothing_length",
+         "Kernels do not stretch with the body: use \"fixed\"");
+  refuse(p.density == "summation", "density", "It is that of the deformation gradient: use \"continuity\"");
+  refuse(!p.correction, "correction", "At a free surface a body at rest would be strained: use true");
+  refuse(!p.correct_forces, "correct_forces", "Stresses would not be pulled back: use true");
+  refuse(p.artificial_stress > 0, "artificial_stress", "There is no tensile instability to take away: use 0");
+  refuse(p.pressure_diffusion > 0, "pressure_diffusion", "It acts between present neighbours: use 0");
+  refuse(p.xsph > 0, "xsph", "It acts between present neighbours: use 0");
+  if (deck.sleep.distance)
+    report.add(
+        find_place(table, "kernel_frame"), "particles.kernel_frame",
+        "\"initial\" does not go with sleep.distance: neighbours stay what they were at the start. Leave it "
+        "out, or use \"current\"");
+  if (conducts_heat(deck))
+    report.add(find_place(table, "kernel_frame"), "particles.kernel_frame",
+               "\"initial\" conducts no heat: give no material a conductivity, or use \"current\"");
+}
+
+void check_retire(const Deck& deck, const toml::table& root, DeckReport& report) {
+  if (!deck.retire.distance) return;
+  const toml::node& place = find_place(*root["retire"].as_table(), "distance");
+  if (!deck.tool) report.add(place, "retire.distance", "needs a tool, which makes the chip. Leave it out");
+  if (!deck.sleep.distance)
+    report.add(
+        place, "retire.distance",
+        "needs sleep.distance, by which the run looks at what is far. Give it (\"1 m\": all is awake)");
+}
+
 // Methods that conversion has no rule for: the key in its section, and what to write instead.
 void refuse_methods(const Deck& deck, const toml::table& root, DeckReport& report) {
   const auto refuse = [&](bool is_wrong, const char* section, const char* key, const std::string& instead) {
@@ -22,8 +60,7 @@ void refuse_methods(const Deck& deck, const toml::table& root, DeckReport& repor
   refuse(deck.hexes.delete_at_strain.has_value(), "hexes", "delete_at_strain", "Leave it out");
 }
 
-} // namespace
-
+// Hexes that become particles: what that needs and what it does not go with.
 void check_conversion(const Deck& deck, const toml::table& root, DeckReport& report) {
   const toml::array& bodies = *root["body"].as_array();
   bool any = false;
@@ -45,6 +82,14 @@ void check_conversion(const Deck& deck, const toml::table& root, DeckReport& rep
                  "body with hexes that convert, or leave convert_distance and convert_strain out");
   }
   if (any) refuse_methods(deck, root, report);
+}
+
+} // namespace
+
+void check_methods(const Deck& deck, const toml::table& root, DeckReport& report) {
+  check_kernel_frame(deck, root, report);
+  check_retire(deck, root, report);
+  check_conversion(deck, root, report);
 }
 
 } // namespace swarf
