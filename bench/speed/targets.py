@@ -47,3 +47,7 @@ def rows(results):
         met = "not measured" if value is None else "yes" if (value <= target if most else value >= target) else "**no**"
         shown = "-" if value is None else f"{value:.{digits}f}{unit}"
         yield f"| {what} | {'at most' if most else 'at least'} {target:g}{unit} | {shown} | {met} |"
+    load, cores = results.all["load_average"]["median"], results.all["cores"]
+    if load > 1.2 * cores:
+        yield (f"\nOther programs ran beside (load {load:.1f} on {cores} cores): what is said of 2 threads is too low, and a "
+               "rate that is not met may be met on a quiet machine.")
