@@ -1,16 +1,27 @@
 // What run.accuracy may choose from and what it chose, as text.
 #include "src/accuracy.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace swarf {
 namespace {
 
-// Of [particles], where the point differs from the first of the chart.
+// [particles] of most choices.
+ParticlesDeck usual_method(const AccuracyPlan& plan) {
+  const auto alike = [&](const Choice& choice) {
+    return std::count_if(plan.choices.begin(), plan.choices.end(),
+                         [&](const Choice& other) { return other.deck.particles == choice.deck.particles; });
+  };
+  return std::max_element(plan.choices.begin(), plan.choices.end(),
+                          [&](const Choice& a, const Choice& b) { return alike(a) < alike(b); })
+      ->deck.particles;
+}
+
+// Where the point's method is not that of most.
 std::string describe_method(const ChartPoint& point, const Choice& choice, const AccuracyPlan& plan) {
   Deck usual = choice.deck;
-  usual.particles = plan.chart->points.front().particles;
-  usual.particles.skin = choice.deck.particles.skin;
+  usual.particles = usual_method(plan);
   std::vector<std::string> parts;
   for (const std::string& change : list_changes(usual, choice.deck))
     parts.push_back(change.substr(change.find("] ") + 2, change.find(", was") - change.find("] ") - 2));
