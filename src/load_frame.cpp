@@ -69,18 +69,15 @@ void add_shown(vtkDataSetAttributes* data, const ShownField& field, const std::f
 }
 
 // Radius of the drawn spheres: spheres on a cubic lattice that just close the gaps along the face diagonals.
-// What has retired is not drawn.
 void add_radius(vtkPolyData* particles, double& spacing) {
   vtkDataArray* volume = particles->GetPointData()->GetArray("volume");
-  vtkDataArray* retired = particles->GetPointData()->GetArray("retired");
   vtkNew<vtkFloatArray> radius;
   radius->SetName("radius");
   spacing = 0;
   for (vtkIdType i = 0; i < particles->GetNumberOfPoints(); ++i) {
     const double size = volume ? units_per_metre * std::cbrt(volume->GetComponent(i, 0)) : 0;
     spacing += size / double(particles->GetNumberOfPoints());
-    const bool is_drawn = !retired || retired->GetComponent(i, 0) == 0;
-    radius->InsertNextValue(is_drawn ? float(0.71 * size) : 0.0F);
+    radius->InsertNextValue(float(0.71 * size));
   }
   particles->GetPointData()->AddArray(radius);
 }
@@ -101,6 +98,18 @@ void find_contact(LoadedFrame& frame) {
   if (!frame.in_contact) return;
   for (double& c : frame.contact) c /= total, square -= total * c * c;
   frame.contact_spread = std::sqrt(std::max(0.0, square / total));
+}
+
+// Without what has retired, which may be anywhere.
+vtkSmartPointer<vtkUnstructuredGrid> present_particles(vtkUnstructuredGrid* grid) {
+  if (!grid->GetPointData()->HasArray("retired")) return grid;
+  vtkNew<vtkThreshold> present;
+  present->SetInputData(grid);
+  present->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "retired");
+  present->SetThresholdFunction(vtkThreshold::THRESHOLD_LOWER);
+  present->SetLowerThreshold(0.5);
+  present->Update();
+  return present->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> hex_surface(vtkUnstructuredGrid* grid) {
@@ -138,10 +147,11 @@ LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, co
     const auto file = frame_file(results, entry.index, "particles");
     vtkNew<vtkXMLUnstructuredGridReader> reader;
     read(reader.Get(), file);
+    const auto present = present_particles(reader->GetOutput());
     frame.particles = vtkSmartPointer<vtkPolyData>::New();
-    frame.particles->SetPoints(reader->GetOutput()->GetPoints());
-    frame.particles->SetVerts(reader->GetOutput()->GetCells());
-    frame.particles->GetPointData()->ShallowCopy(reader->GetOutput()->GetPointData());
+    frame.particles->SetPoints(present->GetPoints());
+    frame.particles->SetVerts(present->GetCells());
+    frame.particles->GetPointData()->ShallowCopy(present->GetPointData());
     add_shown(frame.particles->GetPointData(), field, file);
     add_radius(frame.particles, frame.spacing);
     find_contact(frame);
