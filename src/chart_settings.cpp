@@ -136,6 +136,7 @@ Cut find_cut(const Deck& deck) {
     if (deck.bodies[k].name == zone.tie) cut.bulk = k;
   for (int k = 0; k < int(deck.bodies.size()); ++k)
     if (k != cut.zone && cut.bulk >= 0 && deck.bodies[k].tie == zone.tie) cut.is_bulk_shared = true;
+  cut.bulk_converts = cut.bulk >= 0 && deck.bodies[cut.bulk].converts();
   cut.chip = is_mill ? tool.feed_per_tooth : zone.origin[1] + zone.size[1] - tool.position[1];
   if (!(cut.chip > 0))
     refuse_accuracy(
@@ -161,6 +162,7 @@ std::string find_obstacle(const ChartPoint& point, const AccuracyChart& chart, c
     return fmt::format(
         "without hexes the particles were {:.3g} um deep for this uncut chip; here they are {:.3g} um",
         1e6 * chart.depth * cut.chip, 1e6 * cut.depth);
+  if (!point.bulk && cut.bulk_converts) return "the hexes that would be left out are to become particles";
   if (!point.bulk && cut.is_bulk_shared)
     return "other particles are tied to the hexes that would be left out";
   if (cut.wave < point.wave_over_speed * cut.speed)

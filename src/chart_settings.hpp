@@ -14,6 +14,7 @@ struct Cut {
   int zone = 0;                // row of deck.bodies: the particles that are cut
   int bulk = -1;               // row of the hexes they are tied to; -1: none
   bool is_bulk_shared = false; // other particles are tied to them too
+  bool bulk_converts = false;  // they become particles where the tool comes
   bool is_slice = false;       // all bodies are as thick and periodic across
 };
 

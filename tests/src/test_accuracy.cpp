@@ -162,6 +162,9 @@ TEST(Accuracy, leaves_the_hexes_out_where_the_particles_are_deep_enough) {
   EXPECT_EQ(with.bodies[0].tie, "");
   EXPECT_EQ(with.bodies[0].faces.back(), (FaceDeck{"y_min", "fixed", {}}));
   EXPECT_THAT(with.picked->changes, testing::Contains(HasSubstr("[body \"bulk\"] left out")));
+  deck.bodies[1].convert_distance = 60 * um;
+  EXPECT_THAT(refusal(deck, charts), HasSubstr("are to become particles"));
+  deck.bodies[1].convert_distance.reset();
   deck.bodies[0].origin[1] = -20 * um, deck.bodies[0].size[1] = 60 * um;
   EXPECT_THAT(refusal(deck, charts), HasSubstr("were 40 um deep for this uncut chip; here they are 20 um"));
 }
