@@ -96,6 +96,7 @@ VectorField find_action(const Particles&, const HexMesh&, const ToolAt&, const S
 VectorField with_images(const VectorField& action, const std::vector<Transform>&);
 void rest_particles(Particles&, const Tie&, const VectorField& action, const Sleep&);
 void rest_hexes(const HexMesh&, const TransformTable&, const VectorField& action, const Sleep&);
+// find_work, retire_particles: retire.hpp; choose_hexes: conversion.hpp.
 void find_tied_rows(const Tie&, const Particles&); // tie.row
 
 // --- time
