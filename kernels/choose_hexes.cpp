@@ -14,12 +14,6 @@ SWARF_FN Vector3 centre_of(const HexMesh& m, int e) {
   return Real(0.125) * sum;
 }
 
-SWARF_FN bool is_near(const Tool& tool, const ToolFrame& frame, const Vector3& x, Real distance) {
-  const ToolDistance at = signed_distance(tool, to_tool(frame, x));
-  return at.where == ToolDistance::Where::deep_inside ||
-         (at.where == ToolDistance::Where::near && at.distance < distance);
-}
-
 } // namespace
 
 IndexField choose_hexes(const HexMesh& m, const ConversionLimits& l, const ToolPose& pose) {
@@ -31,7 +25,8 @@ IndexField choose_hexes(const HexMesh& m, const ConversionLimits& l, const ToolP
         if (m.active(e) != hex_active) return;
         const Real distance = limits.tool.facets > 0 ? limits.distance(e) : Real(0),
                    strain = limits.strain(e);
-        const bool near = distance > Real(0) && is_near(limits.tool, frame, centre_of(m, e), distance);
+        const bool near =
+            distance > Real(0) && is_within(limits.tool, to_tool(frame, centre_of(m, e)), distance);
         const bool strained = strain > Real(0) && m.points.equivalent_plastic_strain(e) >= strain;
         chosen(e) = near || strained ? 1 : 0;
       });

@@ -37,13 +37,6 @@ PointGrid make_point_grid(const VectorField& points, Real cell) {
   return {grid, sort_rows(points, first_rows(count), RowKeyOf{grid}), points, count};
 }
 
-SWARF_FN bool touches(const Tool& tool, const Vector3& x, Real gap) {
-  if (tool.facets == 0) return false;
-  const ToolDistance at = signed_distance(tool, x);
-  return at.where == ToolDistance::Where::deep_inside ||
-         (at.where == ToolDistance::Where::near && at.distance < gap);
-}
-
 SWARF_FN bool has_moved(const Particles& p, int i, const Retire& r) {
   const Vector3 d = load_vector(p.position, i) - load_vector(r.first_position, p.identity(i));
   return dot(d, d) > r.distance * r.distance;
@@ -57,7 +50,7 @@ struct IsWork {
   SWARF_FN bool operator()(int i) const {
     if (particles.constraints(i) & retired_bit) return false;
     return !has_moved(particles, i, retire) ||
-           touches(tool, to_tool(frame, load_vector(particles.position, i)), tool.reach);
+           is_within(tool, to_tool(frame, load_vector(particles.position, i)), tool.reach);
   }
 };
 
@@ -85,7 +78,7 @@ void retire_particles(const Particles& p, const VectorField& work, const ToolAt&
         if (p.constraints(i) & retired_bit) {
           const Vector3 x = load_vector(p.position, i) + r.elapsed * load_vector(p.velocity, i);
           store_vector(p.position, i, x);
-          if (touches(tool, to_tool(frame, x), p.contact_gap(i)) || grid.any_within(x, r.reach))
+          if (is_within(tool, to_tool(frame, x), p.contact_gap(i)) || grid.any_within(x, r.reach))
             p.constraints(i) |= met_bit;
         } else if (any_work && p.identity(i) < p.whole && has_moved(p, i, r)) {
           if (!grid.any_within(load_vector(p.position, i), r.distance)) p.constraints(i) |= retired_bit;

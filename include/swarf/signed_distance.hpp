@@ -108,4 +108,12 @@ SWARF_FN ToolDistance signed_distance(const Tool& tool, const Vector3& x) {
   return result;
 }
 
+// Whether x lies in the tool, or nearer to it than `distance`, which is at most tool.reach.
+SWARF_FN bool is_within(const Tool& tool, const Vector3& x, Real distance) {
+  if (tool.facets == 0) return false;
+  const ToolDistance at = signed_distance(tool, x);
+  return at.where == ToolDistance::Where::deep_inside ||
+         (at.where == ToolDistance::Where::near && at.distance < distance);
+}
+
 } // namespace swarf

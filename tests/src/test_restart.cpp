@@ -76,6 +76,15 @@ double largest_component(const CheckpointReader& checkpoint, const std::string& 
   return largest;
 }
 
+// Of the run in "whole", whose history has so many bytes.
+void expect_kills_and_threads_change_nothing(const TemporaryFolder& folder, const std::string& deck,
+                                             std::size_t whole, int kills) {
+  run_with_kills(deck, folder / "killed", whole, kills);
+  expect_equal(folder / "whole", folder / "killed");
+  run_whole(deck, folder / "two threads", 2);
+  expect_equal(folder / "whole", folder / "two threads");
+}
+
 } // namespace
 
 TEST(Restart, killed_at_random_times) {
@@ -128,10 +137,7 @@ TEST(Restart, killed_while_parts_sleep) {
   int awake = 0;
   CheckpointReader(folder / "whole" / "checkpoint.h5").get("awake", awake);
   EXPECT_LT(awake, 1200); // of 1440
-  run_with_kills(deck, folder / "killed", whole, 3);
-  expect_equal(folder / "whole", folder / "killed");
-  run_whole(deck, folder / "two threads", 2);
-  expect_equal(folder / "whole", folder / "two threads");
+  expect_kills_and_threads_change_nothing(folder, deck, whole, 3);
 }
 
 TEST(Restart, killed_while_chip_leaves) {
@@ -142,10 +148,7 @@ TEST(Restart, killed_while_chip_leaves) {
                                          "[run]"}}));
   const std::size_t whole = run_whole(deck, folder / "whole");
   EXPECT_THAT(read_bytes(folder / "whole" / "summary.json"), HasSubstr("\"retired\""));
-  run_with_kills(deck, folder / "killed", whole, 3);
-  expect_equal(folder / "whole", folder / "killed");
-  run_whole(deck, folder / "two threads", 2);
-  expect_equal(folder / "whole", folder / "two threads");
+  expect_kills_and_threads_change_nothing(folder, deck, whole, 3);
 }
 
 // One body of hexes, of which more and more become particles ahead of the tooth.
@@ -163,10 +166,7 @@ TEST(Restart, killed_while_hexes_become_particles) {
   const auto& lost = history.at("tie_work");
   EXPECT_EQ(lost.front(), 0);
   EXPECT_GT(lost.back(), lost[lost.size() / 2]) << "no hex became particles on the way";
-  run_with_kills(deck, folder / "killed", whole, 4);
-  expect_equal(folder / "whole", folder / "killed");
-  run_whole(deck, folder / "two threads", 2);
-  expect_equal(folder / "whole", folder / "two threads");
+  expect_kills_and_threads_change_nothing(folder, deck, whole, 4);
 }
 
 TEST(Restart, threads_and_repetition_change_no_byte) {
