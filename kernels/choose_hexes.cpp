@@ -1,7 +1,6 @@
 // Marks the hexes that are to become particles: active ones nearer to the tool than their limit, or strained
 // as much as it (conversion.hpp). Reads active, connectivity, position, equivalent_plastic_strain; returns 1
 // for each chosen hex, else 0.
-#include "swarf/conversion.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/signed_distance.hpp"
 

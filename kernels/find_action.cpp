@@ -1,9 +1,8 @@
-// Where the action is: the middle of each cell that holds a point which the tool comes near to, or which is
-// at least as fast as sleep.speed. Reads position, velocity and constraints of all stored particles and
+// Where the action is: the middle of each cell that holds a point that is nearer than sleep.near to the tool,
+// or at least as fast as sleep.speed. Reads position, velocity and constraints of all stored particles and
 // nodes; what has retired does not act. with_images: these points and their images across periodic and mirror
 // planes.
 #include "append_points.hpp"
-#include "swarf/retire.hpp"
 #include "swarf/signed_distance.hpp"
 
 namespace swarf {
@@ -12,7 +11,7 @@ namespace {
 struct Acts {
   Tool tool;
   ToolFrame frame;
-  Real speed2;
+  Real near, speed2;
   VectorField position, velocity;
   View<unsigned*> constraints;
 
@@ -20,9 +19,7 @@ struct Acts {
     if (constraints(i) & retired_bit) return false;
     const Vector3 v = load_vector(velocity, i);
     if (dot(v, v) >= speed2) return true;
-    if (tool.facets == 0) return false;
-    const Vector3 x = to_tool(frame, load_vector(position, i));
-    return signed_distance(tool, x).where != ToolDistance::Where::outside;
+    return is_within(tool, to_tool(frame, load_vector(position, i)), near);
   }
 };
 
@@ -63,9 +60,11 @@ VectorField find_action(const Particles& p, const HexMesh& m, const ToolAt& at, 
   const Real speed2 = sleep.speed * sleep.speed;
   VectorField found("action", 0);
   int rows = append_points(p.position, p.stored,
-                           Acts{at.tool, frame, speed2, p.position, p.velocity, p.constraints}, found, 0);
+                           Acts{at.tool, frame, sleep.near, speed2, p.position, p.velocity, p.constraints},
+                           found, 0);
   rows = append_points(m.position, m.nodes,
-                       Acts{at.tool, frame, speed2, m.position, m.velocity, m.constraints}, found, rows);
+                       Acts{at.tool, frame, sleep.near, speed2, m.position, m.velocity, m.constraints}, found,
+                       rows);
   return thin_out(found, rows, sleep.cell);
 }
 

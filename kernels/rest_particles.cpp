@@ -3,7 +3,6 @@
 // that have retired. What stops gives its kinetic energy to external_work, as at a fixed face. Writes
 // constraints, damping and the counts.
 #include "cell_order.hpp"
-#include "swarf/retire.hpp"
 
 namespace swarf {
 namespace {

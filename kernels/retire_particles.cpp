@@ -2,7 +2,6 @@
 // its way: such a particle has left too early (retire.hpp). Reads position, velocity, identity, contact_gap;
 // writes constraints, and the position of the retired.
 #include "append_points.hpp"
-#include "swarf/retire.hpp"
 #include "swarf/signed_distance.hpp"
 
 namespace swarf {

@@ -1,6 +1,6 @@
 // Energies, momentum and extremes of particles and of hexes, for the history: once per sample, not per step.
 #include "block_sum.hpp"
-#include "swarf/retire.hpp"
+#include "swarf/kernels.hpp"
 
 namespace swarf {
 namespace {

@@ -86,11 +86,9 @@ class NearestBrick {
 // Adds the bricks' images across periodic faces.
 void add_images(std::vector<Brick>& bricks, const Faces& faces) {
   for (const Transform& map : faces.transforms) {
-    const Tensor3 turn = transpose(map.R);
-    const Transform back{turn, Real(-1) * multiply(turn, map.t)};
     const std::size_t own = bricks.size();
     for (std::size_t k = 0; k < own; ++k)
-      for (const Transform& to : {map, back}) {
+      for (const Transform& to : {map, inverse(map)}) {
         Brick image = bricks[k];
         image.centre = apply_to(to, image.centre);
         for (int d = 0; d < 3; ++d) image.axes.col(d) = apply_to({to.R, {0, 0, 0}}, image.axes.col(d));

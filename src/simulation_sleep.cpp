@@ -1,6 +1,5 @@
 // What of the model sleeps, and when that is looked at again.
 #include "src/simulation.hpp"
-#include "swarf/retire.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -16,16 +15,37 @@ double fastest_wave(const MaterialTable& table, double mass_factor) {
   return fastest / std::sqrt(mass_factor);
 }
 
-// To where periodic faces repeat a point, and mirrors show it.
+// Apart by less than a thousandth of a cell.
+bool are_equal(const Transform& a, const Transform& b, double cell) {
+  const Vector3 origin = a.t - b.t, far = apply(a, {1, 1, 1}) - apply(b, {1, 1, 1});
+  return double(norm(origin)) < 1e-3 * cell && double(norm(far - origin)) < 1e-3;
+}
+
+// To where periodic faces repeat a point, and mirrors show it: the maps of each pair of faces, and what they
+// make of the images of the pairs before. Particles and nodes may have the same pair.
 std::vector<Transform> image_maps(const Scene& scene) {
-  std::vector<Transform> maps;
-  for (const ImagePlane& plane : scene.image_planes)
-    if (plane.active) maps.push_back(plane.to_image);
+  std::vector<std::vector<Transform>> pairs;
+  for (std::size_t k = 0; k < scene.image_planes.size(); ++k) {
+    if (k % 2 == 0) pairs.emplace_back();
+    if (scene.image_planes[k].active) pairs.back().push_back(scene.image_planes[k].to_image);
+  }
+  const double cell = scene.spacing > 0 ? scene.spacing : scene.hex_diagonal;
   const auto of_nodes = host_copy(scene.node_transforms);
   for (std::size_t k = 0; k < of_nodes.extent(0); ++k) {
-    const Tensor3 back = transpose(of_nodes(k).R);
-    maps.push_back(of_nodes(k));
-    maps.push_back({back, Real(-1) * multiply(back, of_nodes(k).t)});
+    const Transform map = of_nodes(k);
+    const bool known = std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      return std::any_of(pair.begin(), pair.end(),
+                         [&](const Transform& m) { return are_equal(m, map, cell); });
+    });
+    if (!known) pairs.push_back({map, inverse(map)});
+  }
+  std::vector<Transform> maps;
+  for (const auto& pair : pairs) {
+    const std::vector<Transform> before = maps;
+    for (const Transform& map : pair) {
+      maps.push_back(map);
+      for (const Transform& first : before) maps.push_back(compose(map, first));
+    }
   }
   return maps;
 }
@@ -44,6 +64,7 @@ Sleep Simulation::sleep_of() const {
   s.damping = Real(16 * fastest_wave(model.materials, mass_factor)) / s.ramp;
   s.speed = Real(deck.sleep.speed * slowest_drive);
   s.cell = s.distance / 16;
+  s.near = model.tool.reach / 2;
   s.mass_factor = Real(mass_factor);
   return s;
 }
@@ -70,12 +91,14 @@ void Simulation::rest() {
   timer.mark("sleep");
 }
 
-// The tool, or what moves fastest, may travel half a cell before the action is looked for again: what is
-// nearer than two cells is found.
+// Until the action is looked for again the tool may travel a quarter of what is near to it, the rest being
+// for the gap at which it touches; and what moves fastest as far as the action is known to.
 void Simulation::plan_rest(double speed) {
   if (!deck.sleep.distance) return;
-  const double cell = model.spacing > 0 ? model.spacing : model.hex_diagonal / std::sqrt(3.0);
-  rest_due = std::max(speed, driving_speed) * (now - rested_at) >= 0.5 * cell;
+  const Sleep s = sleep_of();
+  const double elapsed = now - rested_at;
+  const bool tool_came = model.tool.facets > 0 && driving_speed * elapsed >= 0.25 * double(s.near);
+  rest_due = tool_came || speed * elapsed >= double(s.cell);
   lists_due = lists_due || (rest_due && model.particles.stored > 0);
 }
 

@@ -1,4 +1,3 @@
-#include "swarf/conversion.hpp"
 #include "swarf/kernels.hpp"
 
 #include "support/box_tool.hpp"

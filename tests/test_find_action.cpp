@@ -47,14 +47,16 @@ TEST(FindAction, keeps_one_point_for_each_cell) {
   EXPECT_EQ(found(b, Tool{}, s).size(), 8u);
 }
 
-// The grid of the box tool ends a margin beyond its faces, at x = 6.4 um.
-TEST(FindAction, is_where_the_tool_is_near) {
+// A face of the box lies at x = 5 um; rows of particles at 4.5, 5.5, 6.5 um.
+TEST(FindAction, is_what_is_nearer_to_the_tool_than_asked) {
   const test::ParticleBlock b = test::particle_block(20, 3, 3, dx);
+  const Tool tool = test::make_box_tool({5 * dx, 5 * dx, 5 * dx}, 2 * dx);
   Sleep s;
   s.speed = 1, s.cell = dx;
-  const auto action = found(b, test::make_box_tool({5 * dx, 5 * dx, 5 * dx}, 1.4 * dx), s);
-  EXPECT_EQ(action.size(), 6u * 9u);
-  for (const Vector3& x : action) EXPECT_LT(x.x, Real(6.5) * dx);
+  for (const auto& [near, columns] : {std::pair{0.4, 5u}, {0.6, 6u}, {1.6, 7u}}) {
+    s.near = Real(near) * dx;
+    EXPECT_EQ(found(b, tool, s).size(), columns * 9) << near;
+  }
 }
 
 TEST(FindAction, has_images_across_periodic_planes) {

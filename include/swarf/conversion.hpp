@@ -11,7 +11,4 @@ struct ConversionLimits {
   Tool tool;            // whose distances are exact as far as `distance` reaches; 0 facets: no tool
 };
 
-struct HexMesh;
-IndexField choose_hexes(const HexMesh&, const ConversionLimits&, const ToolPose&); // 1: is to convert
-
 } // namespace swarf

@@ -2,9 +2,11 @@
 // of the launch, the test and the benchmark share one name.
 #pragma once
 #include "swarf/contact_points.hpp"
+#include "swarf/conversion.hpp"
 #include "swarf/hex_mesh.hpp"
 #include "swarf/neighbors.hpp"
 #include "swarf/particles.hpp"
+#include "swarf/retire.hpp"
 #include "swarf/status.hpp"
 #include "swarf/tie.hpp"
 #include "swarf/tool_load.hpp"
@@ -49,7 +51,7 @@ void update_image_state(const Particles&, const Neighbors&, const ImagePlanes&);
 void velocity_gradient(const Particles&, const Neighbors&, const ParticleMethod&); // L_i and K_i
 void reference_gradient(const Particles&, const Neighbors&);                // the same in the initial frame
 void sum_density(const Particles&, const Neighbors&, const MaterialTable&); // density by summation
-void evolve_smoothing_length(const Particles&, Real dt);
+void evolve_smoothing_length(const Particles&);                             // before the next
 void prepare_pair_state(const Particles&, const MaterialTable&, const ParticleMethod&);
 void evolve_hourglass(const Particles&, const MaterialTable&, Real dt); // hourglass_displacement
 void particle_forces(const Particles&, const Neighbors&, const ParticleMethod&, Real dt);
@@ -96,8 +98,13 @@ VectorField find_action(const Particles&, const HexMesh&, const ToolAt&, const S
 VectorField with_images(const VectorField& action, const std::vector<Transform>&);
 void rest_particles(Particles&, const Tie&, const VectorField& action, const Sleep&);
 void rest_hexes(const HexMesh&, const TransformTable&, const VectorField& action, const Sleep&);
-// find_work, retire_particles: retire.hpp; choose_hexes: conversion.hpp.
-void find_tied_rows(const Tie&, const Particles&); // tie.row
+void find_tied_rows(const Tie&, const Particles&);                                     // tie.row
+VectorField find_work(const Particles&, const HexMesh&, const ToolAt&, const Retire&); // of retire.hpp
+void retire_particles(const Particles&, const VectorField& work, const ToolAt&,
+                      const Retire&); // before they rest; puts no row elsewhere
+
+// --- conversion
+IndexField choose_hexes(const HexMesh&, const ConversionLimits&, const ToolPose&); // 1: is to convert
 
 // --- time
 struct Motion { // a set of points that Newton's law moves: particles or nodes

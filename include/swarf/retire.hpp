@@ -3,7 +3,7 @@
 // never to wake. They keep their state and fly on in a straight line, so that their mass, momentum and energy
 // stay in the sums. Speed would not tell chip from work: waves move the work as fast.
 #pragma once
-#include "swarf/kernels.hpp"
+#include "swarf/tensor.hpp"
 
 namespace swarf {
 
@@ -16,10 +16,5 @@ struct Retire {
   Real elapsed = 0;           // s, since the retired were moved last
   VectorField first_position; // of each identity
 };
-
-// Points of the work, and those that the tool comes near to.
-VectorField find_work(const Particles&, const HexMesh&, const ToolAt&, const Retire&);
-// Before they rest (rest_particles): puts no row elsewhere.
-void retire_particles(const Particles&, const VectorField& work, const ToolAt&, const Retire&);
 
 } // namespace swarf

@@ -16,6 +16,7 @@ struct Sleep {
   Real distance = 0, margin = 0, reach = 0;
   Real ramp = 0;
   Real damping = 0; // 1/s at d = distance
+  Real near = 0;    // from the tool: what is nearer is part of the action; at most tool.reach
   Real speed = 0;   // m/s: what is as fast is part of the action
   Real cell = 0;    // the action is known to cells of this size; d is at most their diagonal too short
   Real mass_factor = 1;

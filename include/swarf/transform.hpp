@@ -10,6 +10,13 @@ struct Transform {
   Vector3 t;
 };
 SWARF_FN Vector3 apply(const Transform& map, const Vector3& x) { return multiply(map.R, x) + map.t; }
+SWARF_FN Transform inverse(const Transform& map) {
+  const Tensor3 back = transpose(map.R);
+  return {back, Real(-1) * multiply(back, map.t)};
+}
+SWARF_FN Transform compose(const Transform& last, const Transform& first) { // x' = last(first(x))
+  return {multiply(last.R, first.R), apply(last, first.t)};
+}
 using TransformTable = View<Transform*>;
 
 // Half space n.x - offset >= 0 in which the body lies; a particle closer than the cutoff has an image.

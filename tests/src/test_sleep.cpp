@@ -5,6 +5,7 @@
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
 #include "tests/verification/drive.hpp"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -17,15 +18,15 @@ namespace {
 constexpr double mm = 1e-3, wave_length = 30 * mm, ramp = 60 * mm, distance = 150 * mm;
 
 // A bar 240 mm long of 1 mm, in plane strain. A wall slides past its near end and does not touch it, so that
-// the action is there.
+// the action is there. The end lies inside a cell of the action, and not on its face.
 Deck make_bar(const std::string& fill, int across) {
   Deck deck = fill == "hexes" ? undamped() : shipped_defaults();
   deck.materials = {elastic_material(4430, 110e9, 0.33)};
   const double side = across * mm;
-  deck.bodies = {block("bar", fill, {0, 0, 0}, {240 * mm, side, side}, mm)};
+  deck.bodies = {block("bar", fill, {mm, 0, 0}, {240 * mm, side, side}, mm)};
   hold(deck.bodies[0], "symmetric", {"y_min", "y_max", "z_min", "z_max"});
   ToolDeck wall;
-  wall.kind = "wall", wall.normal = {1, 0, 0}, wall.size = 20 * mm, wall.position = {-0.7 * mm, 0, 0};
+  wall.kind = "wall", wall.normal = {1, 0, 0}, wall.size = 20 * mm, wall.position = {0.6 * mm, 0, 0};
   wall.velocity = {0, 100, 0};
   deck.tool = wall;
   deck.sleep.distance = distance, deck.sleep.ramp = ramp / distance, deck.sleep.speed = 1;
@@ -71,6 +72,40 @@ TEST(Sleep, sends_back_less_than_2_percent_of_a_wave_of_half_a_ramp_in_hexes) {
 
 TEST(Sleep, sends_back_less_than_2_percent_of_a_wave_of_half_a_ramp_in_particles) {
   EXPECT_LT(reflected_share(make_bar("particles", 4)), 0.02);
+}
+
+namespace {
+
+// Of a plate, periodic in both directions, over which a small wall slides. No node on the face of a cell.
+int count_awake(const std::string& fill, const Triple& wall_position) {
+  Deck deck = fill == "hexes" ? undamped() : shipped_defaults();
+  deck.materials = {elastic_material(4430, 110e9, 0.33)};
+  deck.bodies = {block("plate", fill, {0.25 * mm, 0.25 * mm, 0}, {60 * mm, 60 * mm, 5 * mm}, mm)};
+  hold(deck.bodies[0], "periodic", {"x_min", "x_max", "y_min", "y_max"});
+  ToolDeck wall;
+  wall.kind = "wall", wall.normal = {0, 0, -1}, wall.size = 1.5 * mm, wall.position = wall_position;
+  wall.velocity = {1, 0, 0};
+  deck.tool = wall;
+  deck.sleep.distance = 16 * mm, deck.sleep.speed = 1;
+  deck.run.end_time = 1;
+  Simulation simulation(deck);
+  simulation.start();
+  const HexMesh& m = simulation.scene().hexes;
+  const auto active = host_copy(m.active);
+  return simulation.scene().particles.count +
+         int(std::count(active.data(), active.data() + active.extent(0), hex_active));
+}
+
+} // namespace
+
+// Across a corner too, where the image of an image lies.
+TEST(Sleep, is_as_near_to_the_action_across_periodic_faces) {
+  for (const char* fill : {"particles", "hexes"}) {
+    const int in_the_middle = count_awake(fill, {30.75 * mm, 30.75 * mm, 5.2 * mm});
+    EXPECT_GT(in_the_middle, 2000) << fill;
+    EXPECT_LT(in_the_middle, 10000) << fill;
+    EXPECT_EQ(count_awake(fill, {2.75 * mm, 2.75 * mm, 5.2 * mm}), in_the_middle) << fill;
+  }
 }
 
 namespace {
