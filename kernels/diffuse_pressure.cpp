@@ -2,9 +2,11 @@
 // Pressures that alternate from particle to particle do no work on any velocity gradient that the particles
 // see: nothing else takes them away. The diffusion acts on what two neighbours' gradients do not explain, so
 // that a smooth field keeps its gradient: Antuono et al. (2010) for the density of a fluid. c' and h:
-// mass-scaled wave speed and smoothing length, means of the pair; the sum of V_i p_i is kept. Reads stress,
-// K in pair_stress, volume, smoothing_length, impedance; writes stress; moves the elastic energy that is lost
-// from internal_work to hourglass_work.
+// mass-scaled wave speed and smoothing length, means of the pair; the sum of V_i p_i is kept. The density
+// goes with the pressure, d(ln rho) = dp / K, and the sum of V_i is kept: the volume of a particle whose
+// pressure is taken away again and again would drift. Reads stress, K in pair_stress, volume,
+// smoothing_length, impedance; writes stress and density; moves the elastic energy that is lost from
+// internal_work to hourglass_work.
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
@@ -104,12 +106,13 @@ void diffuse_pressure(const Particles& p, const Neighbors& n, const ImagePlanes&
           const int i = lanes.first + lane;
           const Real change = set.coefficient * set.time * lane_of(sum, lane),
                      before = p.pressure_state(i, 0);
+          const Real bulk_modulus = materials(points.material(i)).bulk_modulus;
           for (int d = 0; d < 3; ++d) points.stress(i, d) -= change;
+          points.density(i) *= Kokkos::exp(change / bulk_modulus);
           // The forces at the end of the step are those of the changed stress: update_stress did not know.
           const Real rate = trace(symmetric_part(load_tensor(points.velocity_gradient, i)));
           points.internal_work(i) -= Real(0.5) * p.volume(i) * change * rate * set.step;
-          const Real gained = p.volume(i) * change * (before + Real(0.5) * change) /
-                              materials(points.material(i)).bulk_modulus;
+          const Real gained = p.volume(i) * change * (before + Real(0.5) * change) / bulk_modulus;
           points.internal_work(i) += gained;
           p.hourglass_work(i) -= gained;
         }

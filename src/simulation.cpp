@@ -86,7 +86,6 @@ void Simulation::update_rates_and_stresses() {
   else
     velocity_gradient(model.particles, lists, particle_method);
   timer.mark("velocity gradient");
-  if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles, dt);
   hex_velocity_gradient(model.hexes, hex_status);
   timer.mark("hexes");
   update_stress(model.particles.points, model.materials, dt, status);
@@ -112,6 +111,7 @@ void Simulation::compute_forces() {
   const Real dt = Real(step_size);
   if (deck.particles.hourglass_stiffness > 0 && !particle_method.initial_frame)
     evolve_hourglass(model.particles, model.materials, dt);
+  if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles);
   prepare_pair_state(model.particles, model.materials, particle_method);
   update_image_state(model.particles, lists, model.image_planes);
   timer.mark("tie and images");

@@ -81,4 +81,27 @@ TEST(DiffusePressure, TakesAwayAlternatingRows) {
     }
 }
 
+// K ln(rho / rho_0) goes with the pressure, and what one particle gains in volume others lose: to second
+// order in p / K.
+TEST(DiffusePressure, TakesTheDensityAlong) {
+  const ParticleBlock b = pressed_block(Real(0.1));
+  const auto alternating = [](double x, double, double) {
+    return int(std::floor(x / 1e-3)) % 2 ? 1e8 : -1e8;
+  };
+  set_pressure(b, alternating);
+  const auto x = host_copy(b.particles.position);
+  const double rho_0 = host_copy(b.particles.points.density)(0), m = host_copy(b.particles.points.mass)(0);
+  diffuse(b, scale);
+  const auto s = host_copy(b.particles.points.stress);
+  const auto rho = host_copy(b.particles.points.density);
+  double gained = 0, moved = 0;
+  for (int i = 0; i < b.particles.count; ++i) {
+    const double change = -double(s(i, 0)) - alternating(x(i, 0), 0, 0), K = 1e11;
+    ASSERT_NEAR(K * std::log(double(rho(i)) / rho_0), change, is_double ? 1e-3 : 2e4);
+    gained += m / double(rho(i)) - m / rho_0, moved += std::abs(m / double(rho(i)) - m / rho_0);
+  }
+  EXPECT_GT(moved, 1e-5 * b.particles.count * 1e-9);
+  EXPECT_NEAR(gained / moved, 0, 1e-3);
+}
+
 } // namespace swarf::test
