@@ -1,70 +1,14 @@
 // The kernels of the tie on a disordered block of hexes with tied particles at random places in it.
 // Theory: shape functions of the trilinear hex sum to 1 and reproduce x, so constant and linear fields are
 // exact.
-#include "support/hex_block.hpp"
 #include "support/materials.hpp"
-#include "support/particle_block.hpp"
-#include "swarf/kernels.hpp"
+#include "support/tied_block.hpp"
 #include <gtest/gtest.h>
-#include <map>
 
 using namespace swarf;
 using namespace swarf::test;
 
 namespace {
-
-struct TiedBlock {
-  HexMesh hexes;
-  Particles particles;
-  Tie tie;
-};
-
-double random_unit(std::mt19937& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
-
-// 5 particles and `tied` tied ones in a block of 3 x 3 x 3 hexes of 10 um.
-TiedBlock make_tied_block(int tied) {
-  TiedBlock b;
-  b.hexes = make_distorted_block({3, 3, 3}, ti64(), 10e-6, 0.2);
-  b.particles.count = 5, b.particles.tied = tied;
-  b.particles.points.count = b.particles.stored = b.particles.total = 5 + tied;
-  b.particles.whole = 5;
-  allocate(b.particles, 5 + tied);
-  b.tie.count = tied;
-  b.tie.host = IndexField("host", tied), b.tie.shape = View<Real* [8]>("shape", tied);
-  const auto host = host_copy(b.tie.host);
-  const auto hex = host_copy(b.hexes.connectivity);
-  const auto shape = host_copy(b.tie.shape);
-  std::mt19937 random(3);
-  std::map<int, std::vector<int>> entries;
-  for (int k = 0; k < tied; ++k) {
-    host(k) = k % 27;
-    const double u = random_unit(random), v = random_unit(random), w = random_unit(random);
-    const double low[4] = {(1 - u) * (1 - v) / 4, (1 + u) * (1 - v) / 4, (1 + u) * (1 + v) / 4,
-                           (1 - u) * (1 + v) / 4};
-    for (int a = 0; a < 4; ++a)
-      shape(k, a) = Real(low[a] * (1 - w) / 2), shape(k, a + 4) = Real(low[a] * (1 + w) / 2);
-    for (int a = 0; a < 8; ++a) entries[hex(host(k), a)].push_back(8 * k + a);
-  }
-  std::vector<int> nodes, start{0}, entry;
-  for (const auto& [node, list] : entries) {
-    nodes.push_back(node), entry.insert(entry.end(), list.begin(), list.end());
-    start.push_back(int(entry.size()));
-  }
-  const auto upload = [](IndexField& field, const std::vector<int>& values) {
-    field = IndexField("index", values.size());
-    const auto f = Kokkos::create_mirror_view(field);
-    for (std::size_t i = 0; i < values.size(); ++i) f(i) = values[i];
-    Kokkos::deep_copy(field, f);
-  };
-  upload(b.tie.row_node, nodes), upload(b.tie.start, start), upload(b.tie.entry, entry);
-  Kokkos::deep_copy(b.tie.host, host), Kokkos::deep_copy(b.tie.shape, shape);
-  const auto identity = host_copy(b.particles.identity);
-  for (int i = 0; i < 5 + tied; ++i) identity(i) = i;
-  Kokkos::deep_copy(b.particles.identity, identity);
-  b.tie.row = IndexField("row", tied);
-  find_tied_rows(b.tie, b.particles);
-  return b;
-}
 
 // What the tied particles give and what the nodes take: force, moment about the origin, power, and the size
 // of the terms of each sum, which bounds its round-off.
@@ -98,7 +42,7 @@ void set_random(const VectorField& field, int seed) {
 } // namespace
 
 TEST(ProjectTie, LinearVelocityPasses) {
-  const TiedBlock b = make_tied_block(500);
+  const TiedBlock b = make_tied_block({3, 3, 3}, 500);
   const double G[3][3] = {{10, -3, 7}, {2, 5, -8}, {-4, 6, 9}}, v0[3] = {1, -2, 0.5}; // m/s per 10 um
   const auto linear = [&](const Point& x) {
     Point v{};
@@ -116,7 +60,7 @@ TEST(ProjectTie, LinearVelocityPasses) {
 }
 
 TEST(ProjectTie, ConstantVelocityPasses) {
-  const TiedBlock b = make_tied_block(100);
+  const TiedBlock b = make_tied_block({3, 3, 3}, 100);
   set_nodal(b.hexes.velocity, b.hexes.position, [](const Point&) { return Point{3, -7, 11}; });
   project_tie(b.tie, b.particles, b.hexes);
   const auto v = host_copy(b.particles.velocity);
@@ -130,7 +74,7 @@ TEST(ProjectTie, ConstantVelocityPasses) {
 // sum_a N_a = 1 keeps the force, sum_a N_a x_a = x_k the moment, v_k = sum_a N_a v_a the power on any motion
 // of the nodes: each to round-off, with random forces (N) on all rows and random node velocities (m/s).
 TEST(GatherTieForces, ForceMomentAndPowerAreConserved) {
-  const TiedBlock b = make_tied_block(500);
+  const TiedBlock b = make_tied_block({3, 3, 3}, 500);
   set_random(b.hexes.velocity, 10);
   project_tie(b.tie, b.particles, b.hexes);
   set_random(b.particles.force, 11); // also of the rows that are not tied: they must not count
@@ -145,7 +89,7 @@ TEST(GatherTieForces, ForceMomentAndPowerAreConserved) {
 
 // The force of the hexes is there before: the tie adds to it.
 TEST(GatherTieForces, AddsToTheForceOfTheNodes) {
-  const TiedBlock b = make_tied_block(10);
+  const TiedBlock b = make_tied_block({3, 3, 3}, 10);
   set_random(b.hexes.force, 12);
   const auto before = host_copy(b.hexes.force);
   Kokkos::deep_copy(b.particles.force, Real(0));

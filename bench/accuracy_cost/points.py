@@ -127,11 +127,32 @@ def asleep(scene, count):
     return change
 
 
+def retired(scene, count):
+    """Spent chip leaves as well that is farther than so many spacings from all."""
+    def change(deck):
+        asleep(scene, 24)(deck)
+        deck["retire"] = {"distance": decks.length(count * scene.spacing_of(deck))}
+    return change
+
+
+def converting(scene, count):
+    """No band of particles: hexes of two spacings become particles within so many spacings of the tool."""
+    def change(deck):
+        spacing = scene.spacing_of(deck)
+        scene.fill_all(deck, "hexes")
+        scene.coarsen(deck)
+        decks.body(deck, "work")["convert_distance"] = decks.length(count * spacing)
+    return change
+
+
 def work_of(scene):
     """What the work is made of: settings of the scene, not of the method."""
     return [
         ("sleep", "sleep beyond 16 dx", asleep(scene, 16), ALWAYS),
         ("sleep", "sleep beyond 24 dx", asleep(scene, 24), ALWAYS),
+        ("retire", "sleep beyond 24 dx, retire beyond 8 dx", retired(scene, 8), ALWAYS),
+        ("conversion", "hexes convert within 3 dx", converting(scene, 3), ALWAYS),
+        ("conversion", "hexes convert within 7 dx", converting(scene, 7), ALWAYS),
         ("slice", "slice 3 dx", lambda deck: scene.set_slice(deck, 3), ALWAYS),
         ("slice", "slice 6 dx", lambda deck: scene.set_slice(deck, 6), ALWAYS),
         ("slice", "slice 12 dx", lambda deck: scene.set_slice(deck, 12), FULL),

@@ -64,6 +64,11 @@ class Orthogonal:
         bulk["size"][1] = decks.length(top - decks.si(bulk["origin"][1]))
         deck["body"] = [bulk]
 
+    def coarsen(self, deck):
+        """The one body in cells twice as large."""
+        work = decks.body(deck, "work")
+        work["spacing"] = decks.length(2 * decks.si(work["spacing"]))
+
     def only_cut_zone(self, deck):
         cut_zone = decks.body(deck, "cut zone")
         del cut_zone["tie"]
@@ -166,6 +171,11 @@ class Milling:
         cut_zone["cells"][2] = rows
         del cut_zone["tie"]
         deck["body"] = [cut_zone]
+
+    def coarsen(self, deck):
+        """The one body in cells twice as large."""
+        work = decks.body(deck, "work")
+        work["cells"] = [count // 2 for count in work["cells"]]
 
     def only_cut_zone(self, deck):
         cut_zone = decks.body(deck, "cut zone")

@@ -41,6 +41,15 @@ inline void set_state(const HexCube& c) {
       });
 }
 
+// The fields of conduction.
+inline void add_heat(HexMesh& m) {
+  m.corner_heat = View<Real* [8]>("corner_heat", m.points.count);
+  m.nodal_heat = ScalarField("nodal_heat", m.nodes);
+  m.nodal_temperature = ScalarField("nodal_temperature", m.nodes);
+  m.heat_capacity = ScalarField("heat_capacity", m.nodes);
+  Kokkos::deep_copy(m.nodal_temperature, Real(298.15)), Kokkos::deep_copy(m.heat_capacity, Real(1));
+}
+
 inline HexCube make_hex_cube(int64_t size) {
   const int n = cube_edge(size);
   const Material mat = test::ti64();

@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 import numpy
 
 import finer_page
+import scene_page
 
 HERE = pathlib.Path(__file__).resolve().parent
 DOCS = HERE.parents[1] / "docs"
@@ -221,7 +222,7 @@ def write_asleep(found):
     whole, asleep = found["whole"], found["asleep"]
     return ["## The whole pass with its far part asleep", "",
             f"`[sleep] distance = \"{asleep['distance']}\"`: {100 * asleep['awake']:.0f} % of the particles were awake on the "
-            f"mean, near the tooth that cuts and near the other one, which leaves.{write_cost(asleep, whole)} "
+            f"mean, near the tooth that cuts, and at both ends of the pass near the other one.{write_cost(asleep, whole)} "
             f"{compare(asleep, whole)}; worst energy residual {100 * asleep['energy_residual']:.2f} % of the external work.",
             ""]
 
@@ -237,29 +238,6 @@ def write_retired(found):
              f"met the tool or the work since, which the forces lack."]
     if "asleep" in found:
         lines += ["", f"Against the pass with only its far part asleep, at the same angles. {compare(part, found['asleep'])}."]
-    return lines + [""]
-
-
-def write_scene(scene):
-    rows = scene["rows"]
-    if not rows:
-        return []
-    core_seconds = sum(row["core_seconds"] for row in rows) / len(rows)
-    lines = ["## Windows of the whole scene", "",
-             f"`{scene['deck']}` at full resolution, with its helix and the full depth of cut, windows of "
-             f"{scene['width']} deg after {scene['run_in']} deg of run-in. One window took {core_seconds:.0f} core-seconds "
-             f"on the mean: nine of them would take {9 * core_seconds / 7200:.2f} h on two cores that do nothing else, the "
-             f"whole pass, as swarf predicts it from them, {scene['predicted_core_seconds'] / 7200:.1f} h; neither was run.",
-             "",
-             "| immersion / deg | uncut chip at the end face / um | planar / N | F_x / N | F_y / N | F_z / N | "
-             "standard error, planar / N | particles | hexes | steps | core-seconds | memory / MiB | "
-             "energy residual | leaked |", "|" + "---:|" * 14]
-    for row in rows:
-        lines.append(f"| {row['immersion']:g} | {1e6 * row['uncut_chip']:.2f} | {row['force_planar']:.2f} | "
-                     f"{row['force_x']:.2f} | {row['force_y']:.2f} | {row['force_z']:.2f} | {row['error_planar']:.2f} | "
-                     f"{row['particles']} | {row['hexes']} | {row['steps']} | {row['core_seconds']:.0f} | "
-                     f"{row['peak_memory_bytes'] / 2**20:.0f} | {100 * row['energy_residual']:.2f} % | "
-                     f"{row['leaked_particles']} |")
     return lines + [""]
 
 
@@ -284,7 +262,7 @@ def write_page(found):
     lines += write_asleep(found) if "asleep" in found else []
     lines += write_retired(found) if "retired" in found else []
     lines += finer_page.write(found) if "finer" in found else []
-    lines += write_scene(found["scene"]) if "scene" in found else []
+    lines += scene_page.write(found) if "scene" in found else []
     (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
 
 
@@ -293,6 +271,8 @@ def main():
     draw(found)
     if "finer" in found:
         finer_page.picture(found)
+    if "scene_pass" in found:
+        scene_page.picture(found)
     write_page(found)
 
 

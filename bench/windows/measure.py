@@ -3,13 +3,14 @@
 their forces: results.json beside this file. What it holds of runs that are not here stays.
 
 usage: measure.py PROGRAM [--scene] [--only NAME] [--no-run]
---scene: runs windows of the whole scene too, each a quarter of an hour of one core
+--scene: runs the whole scene too, hours: its windows, and its pass with the far part asleep on all cores
 --only NAME: runs only that one of the parts "asleep" and "retired"
 --no-run: measures what has run, also an unfinished whole pass, or an interrupted part
 """
 import csv
 import json
 import math
+import os
 import pathlib
 import re
 import subprocess
@@ -59,6 +60,7 @@ def run(program):
         run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
+        run_whole(program, "scene_pass", write_deck("scene_pass", SCENE, PARTS["asleep"]), os.cpu_count())
     for name in PARTS:
         run_part(program, name)
     run_whole(program, "whole", DECK)
@@ -68,12 +70,12 @@ def run_part(program, name):
     run_whole(program, name, write_deck(name, DECK, PARTS[name]))
 
 
-def run_whole(program, name, deck):
+def run_whole(program, name, deck, threads=1):
     folder = RESULTS / name
     if not is_complete(folder):
         resume = ["--resume"] if (folder / "checkpoint.h5").exists() else []
         keep_cost(folder)
-        subprocess.run([program, "run", deck, "--whole", "--output", folder, "--threads", "1", "--no-pictures", *resume],
+        subprocess.run([program, "run", deck, "--whole", "--output", folder, "--threads", str(threads), *resume],
                        check=True)
 
 
@@ -146,10 +148,14 @@ def measure_probe(name):
 
 
 def measure_part(name):
+    """A pass of which a part does nothing."""
     summary = json.loads((RESULTS / name / "summary.json").read_text())
     costs = read_costs(RESULTS / name)
     moved = sum(cost["particle_steps_per_second"] * cost["wall_seconds"] for cost in costs)
     found = {"distance": SLEEP_DISTANCE, "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
+             "wall_seconds": sum(cost["wall_seconds"] for cost in costs),
+             "peak_memory_bytes": max(cost["peak_memory_bytes"] for cost in costs),
+             **{key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")},
              "bins": bins(read_samples(RESULTS / name)),
              "awake": moved / (summary["particles"] * summary["steps"]),
              "energy_residual": summary["energies"]["worst_residual_over_external"]}
@@ -166,12 +172,16 @@ def measure_scene():
     joined = json.loads((folder / "windows.json").read_text())
     with open(folder / "windows.csv", newline="") as file:
         rows = [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+    whole = read_samples(RESULTS / "scene_pass") if (RESULTS / "scene_pass" / "history.csv").exists() else []
     names = {one["immersion"]: name for name, one in joined["windows"].items()}
     for row in rows:
         summary = json.loads((folder / names[row["immersion"]] / "summary.json").read_text())
         row |= {key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")}
         row |= {"peak_memory_bytes": summary["cost"]["peak_memory_bytes"]}
         row |= {"energy_residual": summary["energies"]["worst_residual_over_external"]}
+        low, high = (row["immersion"] + side * 0.5 * SCENE_WINDOWS["width"] for side in (-1, 1))
+        if whole and whole[-1][0] >= high:
+            row["whole_planar"] = math.hypot(*mean(whole, low, high))
     return {"deck": str(SCENE.relative_to(ROOT)), **SCENE_WINDOWS, "rows": rows,
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
 
@@ -201,7 +211,7 @@ def main():
     found = json.loads(kept.read_text()) if kept.exists() else {}
     if (RESULTS / "whole" / "history.csv").exists():
         found |= measure_pass()
-    for name in PARTS:
+    for name in (*PARTS, "scene_pass"):
         if (RESULTS / name / "summary.json").exists():
             found[name] = measure_part(name)
     if (RESULTS / "scene" / "windows.csv").exists():

@@ -1,0 +1,85 @@
+"""The section of docs/windows.md on the whole scene, and its picture."""
+import matplotlib.pyplot as plt
+import numpy
+
+import draw
+
+WIDTH = 4  # deg, of the mean that is drawn: as the windows
+CORES = 2
+
+
+def hours(core_seconds):
+    return f"{core_seconds / CORES / 3600:.2f} h"
+
+
+def picture(found):
+    whole, windows = found["scene_pass"], found["scene"]
+    figure, axes = plt.subplots(figsize=(9, 5))
+    bins = whole["bins"]
+    angle = numpy.array(bins["immersion"])
+    axes.plot(angle, draw.planar(bins), color="0.75", linewidth=1, label="whole pass, means over 1°")
+    middles = draw.smooth(angle, WIDTH)[0]
+    smooth = {name: draw.smooth(numpy.array(bins[name]), WIDTH)[0] for name in ("force_x", "force_y")}
+    axes.plot(middles, numpy.hypot(*smooth.values()), color="black", linewidth=2, label=f"whole pass, means over {WIDTH}°")
+    for (name, values), style in zip(smooth.items(), ("--", ":")):
+        axes.plot(middles, values, color="black", linewidth=1, linestyle=style, label=f"{name[-1]} of the force on the tool")
+    rows = windows["rows"]
+    axes.errorbar([row["immersion"] for row in rows], [row["force_planar"] for row in rows],
+                  yerr=[row["error_planar"] for row in rows], color=draw.COLOURS[0], marker="o", linestyle="none", capsize=3,
+                  label=f"windows of {windows['width']}° after {windows['run_in']}° of run-in")
+    axes.axhline(0, color="black", linewidth=0.8)
+    axes.set(xlabel="immersion / deg", ylabel="force / N")
+    axes.legend(frameon=False, fontsize=8)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.grid(color="0.92")
+    figure.tight_layout()
+    for suffix in ("png", "svg"):
+        figure.savefig(draw.DOCS / f"windows_scene.{suffix}", dpi=150, metadata={"Date": None} if suffix == "svg" else None)
+
+
+def write_pass(found):
+    whole = found["scene_pass"]
+    to = f"It has run to {whole['end']:.0f} deg so far" if "end" in whole else "It ran from the entry to the exit"
+    lines = ["![Force of the whole scene over immersion](windows_scene.png)", "",
+             f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"` as in the slice above: {whole['particles']} "
+             f"particles and {whole['hexes']} hexes, of the particles {100 * whole['awake']:.1f} % awake on the mean. {to}: "
+             f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h, partly on "
+             f"one thread with other programs beside it; {hours(whole['core_seconds'])} on two cores that do nothing else), "
+             f"{whole['peak_memory_bytes'] / 2**20:.0f} MiB, worst energy residual {100 * whole['energy_residual']:.2f} % of the "
+             f"external work, {whole['leaked_particles']} leaked particles. The same pass without sleep has not been run.", ""]
+    rows = [row for row in found["scene"]["rows"] if "whole_planar" in row]
+    if len(rows) > 2:
+        pairs = numpy.array([(row["force_planar"], row["whole_planar"]) for row in rows])
+        ratio = pairs[:, 0].sum() / pairs[:, 1].sum()
+        left = pairs[:, 0] - ratio * pairs[:, 1]
+        error = left.std(ddof=1) * len(rows) ** 0.5 / pairs[:, 1].sum()
+        lines += [f"The mean force of the {len(rows)} windows that it has passed differs from it by {draw.percent(ratio - 1)}, "
+                  f"standard error {100 * error:.1f} % from the scatter of the windows.", ""]
+    return lines
+
+
+def write(found):
+    scene = found["scene"]
+    rows = scene["rows"]
+    if not rows:
+        return []
+    core_seconds = sum(row["core_seconds"] for row in rows) / len(rows)
+    lines = ["## The whole scene", "",
+             f"`{scene['deck']}` at full resolution, with its helix and the full depth of cut. Windows of "
+             f"{scene['width']} deg after {scene['run_in']} deg of run-in took {core_seconds:.0f} core-seconds each on the "
+             f"mean: nine take {hours(9 * core_seconds)} on two cores that do nothing else. From them swarf predicts "
+             f"{hours(scene['predicted_core_seconds'])} for the whole pass without sleep.", ""]
+    lines += write_pass(found) if "scene_pass" in found else []
+    lines += ["| immersion / deg | uncut chip at the end face / um | planar / N | standard error / N | whole pass, planar / N | "
+              "difference | F_x / N | F_y / N | F_z / N | particles | hexes | steps | core-seconds | memory / MiB | "
+              "energy residual | leaked |", "|" + "---:|" * 16]
+    for row in rows:
+        whole = row.get("whole_planar")
+        compared = f"{whole:.2f} | {draw.percent(row['force_planar'] / whole - 1)}" if whole else "not reached | "
+        lines.append(f"| {row['immersion']:g} | {1e6 * row['uncut_chip']:.2f} | {row['force_planar']:.2f} | "
+                     f"{row['error_planar']:.2f} | {compared} | "
+                     f"{row['force_x']:.2f} | {row['force_y']:.2f} | {row['force_z']:.2f} | "
+                     f"{row['particles']} | {row['hexes']} | {row['steps']} | {row['core_seconds']:.0f} | "
+                     f"{row['peak_memory_bytes'] / 2**20:.0f} | {100 * row['energy_residual']:.2f} % | "
+                     f"{row['leaked_particles']} |")
+    return lines + [""]
