@@ -12,7 +12,7 @@ void bench_diffuse_pressure(benchmark::State& state) {
   const ParticleCube& c = particle_cube(state.range(0));
   velocity_gradient(c.particles, c.neighbors, c.method); // K, whose place the pair stress took
   // The time of a call is so short that the pressures of the cube stay.
-  const PressureDiffusion set{Real(0.003), Real(1e-18), Real(0)};
+  const PressureDiffusion set{Real(0.003), Real(1e-18), Real(0), true};
   for (auto _ : state) diffuse_pressure(c.particles, c.neighbors, {}, c.materials, set);
   report(state, c.count(), c.pair_cost(2 * geometry_flops + 27, 41, 50, 17, 2));
 }

@@ -1,6 +1,6 @@
 // Across two periodic faces of the cube; items are particles. Distance from a plane 6, twice; an image 18.
-// Reals: position 3 in; of an image position 3 in and out, smoothing_length in and out. Indices: place out
-// and in, for each plane; source of an image.
+// Reals: position 3 in, twice; of an image position 3 in and out, smoothing_length in and out. Indices: place
+// out and in, for each plane; source of an image.
 #include "bench/support/particle_cube.hpp"
 
 namespace swarf::bench {
@@ -18,7 +18,7 @@ void bench_make_images(benchmark::State& state) {
   make_images(particles, lists, planes);
   for (auto _ : state) make_images(particles, lists, planes);
   const double share = lists.images / c.count();
-  report(state, c.count(), {12 + 18 * share, (3 + 8 * share) * sizeof(Real) + (4 + 2 * share) * sizeof(int)});
+  report(state, c.count(), {12 + 18 * share, (6 + 8 * share) * sizeof(Real) + (4 + 2 * share) * sizeof(int)});
 }
 BENCHMARK(bench_make_images)->Name("make_images")->Apply(all_sizes);
 

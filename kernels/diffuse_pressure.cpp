@@ -3,10 +3,11 @@
 // see: nothing else takes them away. The diffusion acts on what two neighbours' gradients do not explain, so
 // that a smooth field keeps its gradient: Antuono et al. (2010) for the density of a fluid. c' and h:
 // mass-scaled wave speed and smoothing length, means of the pair; the sum of V_i p_i is kept. The density
-// goes with the pressure, d(ln rho) = dp / K, and the sum of V_i is kept: the volume of a particle whose
-// pressure is taken away again and again would drift. Reads stress, K in pair_stress, volume,
-// smoothing_length, impedance; writes stress and density; moves the elastic energy that is lost from
-// internal_work to hourglass_work.
+// goes with the pressure, d(ln rho) = dp / K: the volume of a particle whose pressure is taken away again and
+// again would drift. So the sum of V_i is kept too, to first order, between particles of one K that are awake
+// and have not failed: the pressure of failed ones follows from their density. Reads stress, damage, K in
+// pair_stress, volume, smoothing_length, impedance; writes stress and density; moves the elastic energy that
+// is lost from internal_work to hourglass_work.
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
@@ -108,7 +109,8 @@ void diffuse_pressure(const Particles& p, const Neighbors& n, const ImagePlanes&
                      before = p.pressure_state(i, 0);
           const Real bulk_modulus = materials(points.material(i)).bulk_modulus;
           for (int d = 0; d < 3; ++d) points.stress(i, d) -= change;
-          points.density(i) *= Kokkos::exp(change / bulk_modulus);
+          if (set.density && points.damage(i) < Real(1))
+            points.density(i) *= Kokkos::exp(change / bulk_modulus);
           // The forces at the end of the step are those of the changed stress: update_stress did not know.
           const Real rate = trace(symmetric_part(load_tensor(points.velocity_gradient, i)));
           points.internal_work(i) -= Real(0.5) * p.volume(i) * change * rate * set.step;

@@ -45,6 +45,7 @@ void update_image_state(const Particles& p, const Neighbors& n, const ImagePlane
             store_tensor(p.deformation_gradient, to, multiply(multiply(R, F), transpose(R)));
           }
           p.volume(to) = p.volume(i); // the stress update changed the density
+          p.smoothing_length(to) = p.smoothing_length(i);
         });
   }
 }

@@ -202,11 +202,11 @@ void set_new_rows(const Deck& deck, const Scene& scene, Particles& p, const Rows
     volume(i) = mass(i) / density(i);
     gap(i) = Real(of.gap[std::size_t(c.hex)]);
     area(i) = i < rows.free ? Real(std::pow(double(volume(i)), 2.0 / 3.0)) : Real(0);
-    if (rows.source[std::size_t(i)] < 0) {
-      h(i) = Real(deck.particles.smoothing_ratio * lattice.spacing);
-      if (deck.particles.smoothing_length == "evolving") h(i) *= std::cbrt(material.density / density(i));
-    }
     const Real scaled = Real(deck.run.mass_factor) * density(i);
+    const bool is_new = rows.source[std::size_t(i)] < 0;
+    if (is_new) h(i) = Real(deck.particles.smoothing_ratio * lattice.spacing);
+    if (deck.particles.smoothing_length == "evolving")
+      h(i) *= std::cbrt(is_new ? material.density / density(i) : impedance(i, 1) / scaled);
     impedance(i, 0) = scaled * longitudinal_wave_speed(material) / Real(std::sqrt(deck.run.mass_factor));
     impedance(i, 1) = scaled, impedance(i, 2) = material.shear_modulus;
     const auto N = HexConversion::shape(lattice.n, c.cell);

@@ -33,6 +33,15 @@ void check_kernel_frame(const Deck& deck, const toml::table& root, DeckReport& r
                "\"initial\" conducts no heat: give no material a conductivity, or use \"current\"");
 }
 
+// A particle that sees few others has a sum that goes as h^-3: h that follows it has nothing to hold it.
+void check_evolving(const Deck& deck, const toml::table& root, DeckReport& report) {
+  if (deck.particles.smoothing_length == "evolving" && deck.particles.density == "summation")
+    report.add(
+        find_place(*root["particles"].as_table(), "smoothing_length"), "particles.smoothing_length",
+        "\"evolving\" does not go with density = \"summation\": a lone particle would grow without end. "
+        "Use density = \"continuity\", or \"fixed\"");
+}
+
 void check_retire(const Deck& deck, const toml::table& root, DeckReport& report) {
   if (!deck.retire.distance) return;
   const toml::node& place = find_place(*root["retire"].as_table(), "distance");
@@ -88,6 +97,7 @@ void check_conversion(const Deck& deck, const toml::table& root, DeckReport& rep
 
 void check_methods(const Deck& deck, const toml::table& root, DeckReport& report) {
   check_kernel_frame(deck, root, report);
+  check_evolving(deck, root, report);
   check_retire(deck, root, report);
   check_conversion(deck, root, report);
 }

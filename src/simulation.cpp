@@ -101,8 +101,9 @@ void Simulation::smooth_pressure() {
   pressure_time += step_size;
   const double delta = deck.particles.pressure_diffusion;
   if (6 * delta * (pressure_time + step_size) <= 0.2 * particle_step) return;
-  diffuse_pressure(model.particles, lists, model.image_planes, model.materials,
-                   {Real(delta), Real(pressure_time), Real(step_size)});
+  diffuse_pressure(
+      model.particles, lists, model.image_planes, model.materials,
+      {Real(delta), Real(pressure_time), Real(step_size), deck.particles.density != "summation"});
   pressure_time = 0;
   timer.mark("pressure");
 }

@@ -15,10 +15,12 @@ double fastest_wave(const MaterialTable& table, double mass_factor) {
   return fastest / std::sqrt(mass_factor);
 }
 
-// Apart by less than a thousandth of a cell.
+// Shifts by less than a thousandth of a cell, turns of the axes by less than a thousandth of their length.
 bool are_equal(const Transform& a, const Transform& b, double cell) {
-  const Vector3 origin = a.t - b.t, far = apply(a, {1, 1, 1}) - apply(b, {1, 1, 1});
-  return double(norm(origin)) < 1e-3 * cell && double(norm(far - origin)) < 1e-3;
+  bool equal = double(norm(a.t - b.t)) < 1e-3 * cell;
+  for (const Vector3& axis : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}})
+    equal = equal && double(norm(multiply(a.R, axis) - multiply(b.R, axis))) < 1e-3;
+  return equal;
 }
 
 // To where periodic faces repeat a point, and mirrors show it: the maps of each pair of faces, and what they
@@ -80,10 +82,15 @@ void Simulation::retire() {
 }
 
 void Simulation::rest() {
-  const Sleep sleep = sleep_of();
+  Sleep sleep = sleep_of();
   if (deck.retire.distance) retire();
-  const VectorField action =
-      with_images(find_action(model.particles, model.hexes, {model.tool, pose()}, sleep), image_maps(model));
+  const ToolAt tool{model.tool, pose()};
+  VectorField action = find_action(model.particles, model.hexes, tool, sleep);
+  if (action.extent(0) == 0) { // the tool is still on its way: where it is nearest, if it is near at all
+    sleep.near = model.tool.reach;
+    action = find_action(model.particles, model.hexes, tool, sleep);
+  }
+  action = with_images(action, image_maps(model));
   rest_particles(model.particles, model.tie, action, sleep);
   rest_hexes(model.hexes, model.node_transforms, action, sleep);
   rest_due = false, rested_at = now;
@@ -92,13 +99,15 @@ void Simulation::rest() {
 }
 
 // Until the action is looked for again the tool may travel a quarter of what is near to it, the rest being
-// for the gap at which it touches; and what moves fastest as far as the action is known to.
+// for the gap at which it touches; and what moves fastest as far as the action is known to, but no farther
+// than what has retired is looked for.
 void Simulation::plan_rest(double speed) {
   if (!deck.sleep.distance) return;
   const Sleep s = sleep_of();
-  const double elapsed = now - rested_at;
+  const double elapsed = now - rested_at + step_size * double(next_check - steps); // at the next check
   const bool tool_came = model.tool.facets > 0 && driving_speed * elapsed >= 0.25 * double(s.near);
-  rest_due = tool_came || speed * elapsed >= double(s.cell);
+  const double way = model.spacing > 0 ? std::min(double(s.cell), model.spacing) : double(s.cell);
+  rest_due = tool_came || speed * elapsed >= way;
   lists_due = lists_due || (rest_due && model.particles.stored > 0);
 }
 

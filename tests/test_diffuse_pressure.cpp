@@ -28,7 +28,7 @@ void set_pressure(const ParticleBlock& b, Function&& pressure) {
 }
 
 void diffuse(const ParticleBlock& b, Real time) {
-  diffuse_pressure(b.particles, b.neighbors, {}, b.materials, {Real(0.1), time, 0});
+  diffuse_pressure(b.particles, b.neighbors, {}, b.materials, {Real(0.1), time, 0, true});
 }
 
 // h / c of the block

@@ -78,8 +78,9 @@ def changes(deck, base, but=("title", "output.")):
     """The keys in which deck differs from base, as text. A body that only one of them has is named as a whole."""
     ours, theirs = {one["name"]: one for one in deck["body"]}, {one["name"]: one for one in base["body"]}
     parts = [f"no body[{name}]" for name in theirs if name not in ours]
-    parts += [f"body[{name}] of {_volume_and_cells(one)[1]} {one['fill']}" for name, one in ours.items()
-              if name not in theirs]
+    parts += [f"body[{name}] of {_volume_and_cells(one)[1]} {one['fill']}"
+              + "".join(f", {key} = {_value(one[key])}" for key in one if key.startswith("convert"))
+              for name, one in ours.items() if name not in theirs]
     shared = [name for name in ours if name in theirs]
     new, old = (flat({**one, "body": [body(one, name) for name in shared]}) for one in (deck, base))
     names = [key for key in list(old) + [key for key in new if key not in old]

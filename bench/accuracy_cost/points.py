@@ -135,6 +135,9 @@ def retired(scene, count):
     return change
 
 
+CONVERTING = "hexes convert"
+
+
 def converting(scene, count):
     """No band of particles: hexes of two spacings become particles within so many spacings of the tool."""
     def change(deck):
@@ -150,9 +153,7 @@ def work_of(scene):
     return [
         ("sleep", "sleep beyond 16 dx", asleep(scene, 16), ALWAYS),
         ("sleep", "sleep beyond 24 dx", asleep(scene, 24), ALWAYS),
-        ("retire", "sleep beyond 24 dx, retire beyond 8 dx", retired(scene, 8), ALWAYS),
-        ("conversion", "hexes convert within 3 dx", converting(scene, 3), ALWAYS),
-        ("conversion", "hexes convert within 7 dx", converting(scene, 7), ALWAYS),
+        ("sleep", "sleep beyond 24 dx, retire beyond 8 dx", retired(scene, 8), ALWAYS),
         ("slice", "slice 3 dx", lambda deck: scene.set_slice(deck, 3), ALWAYS),
         ("slice", "slice 6 dx", lambda deck: scene.set_slice(deck, 6), ALWAYS),
         ("slice", "slice 12 dx", lambda deck: scene.set_slice(deck, 12), FULL),
@@ -160,6 +161,8 @@ def work_of(scene):
         ("fill", "particles only, shallow", scene.only_cut_zone, ALWAYS),
         ("fill", "hexes, deleted at 1", all_hexes(scene, 1.0), ORTHOGONAL),
         ("fill", "hexes, deleted at 2", all_hexes(scene, 2.0), ALWAYS),
+        ("fill", f"{CONVERTING} within 3 dx", converting(scene, 3), ALWAYS),
+        ("fill", f"{CONVERTING} within 7 dx", converting(scene, 7), ALWAYS),
     ]
 
 
@@ -208,6 +211,8 @@ def at_once(scene, chosen, group, label, spacing):
     """The chosen settings of all groups at once, in the order of the list of points."""
     if any(point.group == "fill" for point in chosen):  # one body: there is no band
         chosen = [point for point in chosen if point.group != "band"]
+    if any(point.label.startswith(CONVERTING) for point in chosen):  # swarf refuses both at once
+        chosen = [point for point in chosen if point.group != "sleep"]
 
     def change(deck):
         for point in chosen:

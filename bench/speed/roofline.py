@@ -15,6 +15,8 @@ sys.path.append(str(HERE.parent / "accuracy_cost"))
 import labels
 
 
+OF_HEXES = ("hex_velocity_gradient", "hex_forces", "hex_heat", "gather_corner_forces", "couple_nodes", "delete_hexes",
+            "rest_hexes", "choose_hexes")
 OFF = ("sum_density", "smooth_velocity", "reference_gradient")  # of options that no deck here has: a crowd of labels
 
 
@@ -39,7 +41,7 @@ def draw_kernels(figure, axes, results, size, threads):
             continue
         x = row["flops_per_item"] / row["bytes_per_item"]
         y, lanes = (row[f"{kind}_per_item"] / results.seconds(row) / 1e9 for kind in ("flops", "lane_flops"))
-        colour = "C0" if lanes > y else "C1" if name.startswith(("hex", "gather")) else "0.3"
+        colour = "C0" if lanes > y else "C1" if name in OF_HEXES else "0.3"
         if lanes > y:
             axes.plot([x, x], [y, lanes], color=colour, linewidth=0.8, alpha=0.6, zorder=2)
             axes.plot(x, lanes, "o", color=colour, markersize=4, fillstyle="none", zorder=3)

@@ -271,7 +271,7 @@ def main():
     draw(found)
     if "finer" in found:
         finer_page.picture(found)
-    if "scene_pass" in found:
+    if {"scene", "scene_pass"} <= found.keys():
         scene_page.picture(found)
     write_page(found)
 

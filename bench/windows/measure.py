@@ -75,8 +75,8 @@ def run_whole(program, name, deck, threads=1):
     if not is_complete(folder):
         resume = ["--resume"] if (folder / "checkpoint.h5").exists() else []
         keep_cost(folder)
-        subprocess.run([program, "run", deck, "--whole", "--output", folder, "--threads", str(threads), *resume],
-                       check=True)
+        subprocess.run([program, "run", deck, "--whole", "--output", folder, "--threads", str(threads), "--no-pictures",
+                        *resume], check=True)
 
 
 def keep_cost(folder):
@@ -154,6 +154,7 @@ def measure_part(name):
     moved = sum(cost["particle_steps_per_second"] * cost["wall_seconds"] for cost in costs)
     found = {"distance": SLEEP_DISTANCE, "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
              "wall_seconds": sum(cost["wall_seconds"] for cost in costs),
+             "threads": sorted({cost["threads"] for cost in costs}),
              "peak_memory_bytes": max(cost["peak_memory_bytes"] for cost in costs),
              **{key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")},
              "bins": bins(read_samples(RESULTS / name)),

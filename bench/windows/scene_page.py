@@ -4,7 +4,6 @@ import numpy
 
 import draw
 
-WIDTH = 4  # deg, of the mean that is drawn: as the windows
 CORES = 2
 
 
@@ -14,13 +13,14 @@ def hours(core_seconds):
 
 def picture(found):
     whole, windows = found["scene_pass"], found["scene"]
+    width = windows["width"]  # deg, of the mean that is drawn
     figure, axes = plt.subplots(figsize=(9, 5))
     bins = whole["bins"]
     angle = numpy.array(bins["immersion"])
     axes.plot(angle, draw.planar(bins), color="0.75", linewidth=1, label="whole pass, means over 1°")
-    middles = draw.smooth(angle, WIDTH)[0]
-    smooth = {name: draw.smooth(numpy.array(bins[name]), WIDTH)[0] for name in ("force_x", "force_y")}
-    axes.plot(middles, numpy.hypot(*smooth.values()), color="black", linewidth=2, label=f"whole pass, means over {WIDTH}°")
+    middles = draw.smooth(angle, width)[0]
+    smooth = {name: draw.smooth(numpy.array(bins[name]), width)[0] for name in ("force_x", "force_y")}
+    axes.plot(middles, numpy.hypot(*smooth.values()), color="black", linewidth=2, label=f"whole pass, means over {width}°")
     for (name, values), style in zip(smooth.items(), ("--", ":")):
         axes.plot(middles, values, color="black", linewidth=1, linestyle=style, label=f"{name[-1]} of the force on the tool")
     rows = windows["rows"]
@@ -43,8 +43,8 @@ def write_pass(found):
     lines = ["![Force of the whole scene over immersion](windows_scene.png)", "",
              f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"` as in the slice above: {whole['particles']} "
              f"particles and {whole['hexes']} hexes, of the particles {100 * whole['awake']:.1f} % awake on the mean. {to}: "
-             f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h, partly on "
-             f"one thread with other programs beside it; {hours(whole['core_seconds'])} on two cores that do nothing else), "
+             f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h on "
+             f"{' and '.join(map(str, whole['threads']))} threads; {hours(whole['core_seconds'])} if two cores shared it evenly), "
              f"{whole['peak_memory_bytes'] / 2**20:.0f} MiB, worst energy residual {100 * whole['energy_residual']:.2f} % of the "
              f"external work, {whole['leaked_particles']} leaked particles. The same pass without sleep has not been run.", ""]
     rows = [row for row in found["scene"]["rows"] if "whole_planar" in row]
@@ -64,10 +64,11 @@ def write(found):
     if not rows:
         return []
     core_seconds = sum(row["core_seconds"] for row in rows) / len(rows)
+    count = (scene["last"] - scene["first"]) // scene["step"] + 1
     lines = ["## The whole scene", "",
              f"`{scene['deck']}` at full resolution, with its helix and the full depth of cut. Windows of "
              f"{scene['width']} deg after {scene['run_in']} deg of run-in took {core_seconds:.0f} core-seconds each on the "
-             f"mean: nine take {hours(9 * core_seconds)} on two cores that do nothing else. From them swarf predicts "
+             f"mean: {count} take {hours(count * core_seconds)} on two cores that do nothing else. From them swarf predicts "
              f"{hours(scene['predicted_core_seconds'])} for the whole pass without sleep.", ""]
     lines += write_pass(found) if "scene_pass" in found else []
     lines += ["| immersion / deg | uncut chip at the end face / um | planar / N | standard error / N | whole pass, planar / N | "

@@ -59,6 +59,7 @@ struct PressureDiffusion {
   Real coefficient; // delta
   Real time;        // s since the last call
   Real step;        // s, the last step
+  bool density;     // goes along; false where it is a sum over neighbours
 };
 void diffuse_pressure(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&,
                       const PressureDiffusion&);

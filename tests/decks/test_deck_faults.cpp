@@ -315,6 +315,16 @@ TEST(DeckFaultsOfMethods, initial_frame_conducts_no_heat) {
   expect_fault(edit_deck("[run]", cold, heated), {"particles.kernel_frame: \"initial\" conducts no heat"});
 }
 
+TEST(DeckFaultsOfMethods, a_smoothing_length_that_follows_its_own_sum) {
+  const auto with = [](const std::string& keys) {
+    return edit_deck("[run]", "[particles]\nsmoothing_length = \"evolving\"\n" + keys + "[run]");
+  };
+  EXPECT_EQ(read_fault(with("")), "no error");
+  expect_fault(with("density = \"summation\"\n"),
+               {"particles.smoothing_length: \"evolving\" does not go with density = \"summation\"",
+                "Use density = \"continuity\""});
+}
+
 TEST(DeckFaultsOfMethods, hexes_that_become_particles) {
   const auto bulk = [](const std::string& keys, const std::string& deck = good_deck) {
     return edit_deck("cells = [20, 2, 8]", "cells = [20, 2, 8]\n" + keys, deck);

@@ -98,19 +98,29 @@ TEST(Restart, killed_at_random_times) {
   expect_equal(folder / "whole", folder / "killed");
 }
 
-// The options that carry more state: smoothing length, summed density, deleted hexes, XSPH; dt changes on the
-// way.
+// The options that carry more state: summed density, deleted hexes, XSPH.
 TEST(Restart, killed_with_other_methods) {
   const TemporaryFolder folder;
   const std::string deck = write_deck(
       folder,
-      edit_small_deck({{"\"fixed\"\n[hexes]", "\"evolving\"\ndensity = \"summation\"\nxsph = 0.5\n[hexes]"},
+      edit_small_deck({{"\"fixed\"\n[hexes]", "\"fixed\"\ndensity = \"summation\"\nxsph = 0.5\n[hexes]"},
                        {"\"stiffness\"", "\"viscous\"\ndelete_at_strain = 1e-6"}}));
   const std::size_t whole = run_whole(deck, folder / "whole");
   IndexField active;
   CheckpointReader(folder / "whole" / "checkpoint.h5").get("hexes/active", active);
   const auto left = host_copy(active);
   EXPECT_GT(std::count(left.data(), left.data() + left.extent(0), 0), 0) << "no hex was deleted";
+  run_with_kills(deck, folder / "killed", whole, 3);
+  expect_equal(folder / "whole", folder / "killed");
+}
+
+// And an evolving smoothing length, by which dt changes on the way, with the diffusion that changes the
+// density.
+TEST(Restart, killed_with_an_evolving_smoothing_length) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(
+      folder, edit_small_deck({{"\"fixed\"\n[hexes]", "\"evolving\"\npressure_diffusion = 0.003\n[hexes]"}}));
+  const std::size_t whole = run_whole(deck, folder / "whole");
   run_with_kills(deck, folder / "killed", whole, 3);
   expect_equal(folder / "whole", folder / "killed");
 }

@@ -16,7 +16,7 @@ inline double random_unit(std::mt19937& random) {
   return std::uniform_real_distribution<double>(-1, 1)(random);
 }
 
-// 5 particles, and `tied` tied ones at random places in each hex in turn; hexes of 10 um.
+// 5 particles, and `tied` tied ones at random places, as many in each hex; hexes of 10 um.
 inline TiedBlock make_tied_block(const Cells& cells, int tied) {
   TiedBlock b;
   b.hexes = make_distorted_block(cells, ti64(), 10e-6, 0.2);
@@ -32,7 +32,7 @@ inline TiedBlock make_tied_block(const Cells& cells, int tied) {
   std::mt19937 random(3);
   std::vector<std::vector<int>> entries(b.hexes.nodes);
   for (int k = 0; k < tied; ++k) {
-    host(k) = k % b.hexes.points.count;
+    host(k) = int(long(k) * b.hexes.points.count / tied);
     const double u = random_unit(random), v = random_unit(random), w = random_unit(random);
     const double low[4] = {(1 - u) * (1 - v) / 4, (1 + u) * (1 - v) / 4, (1 + u) * (1 + v) / 4,
                            (1 - u) * (1 + v) / 4};
