@@ -57,15 +57,48 @@ SWARF_FN int lower_bound(const KeyedRows& rows, int count, CellKey value) {
   return low;
 }
 
+// The cells of the action in groups, each with the box of its middles: find_action gives them line by line,
+// so that a box is small.
+struct ActionCells {
+  static constexpr int group = 16;
+  VectorField middle, low, high;
+  Real size = 0;
+};
+
+inline ActionCells group_cells(const VectorField& middle, Real size) {
+  const int rows = int(middle.extent(0)), groups = (rows + ActionCells::group - 1) / ActionCells::group;
+  const ActionCells cells{middle, VectorField("action_low", groups), VectorField("action_high", groups),
+                          size};
+  Kokkos::parallel_for(
+      "group_cells", Range(0, groups), KOKKOS_LAMBDA(int g) {
+        const int begin = g * ActionCells::group, end = Kokkos::min(begin + ActionCells::group, rows);
+        for (int d = 0; d < 3; ++d) {
+          Real low = cells.middle(begin, d), high = low;
+          for (int k = begin + 1; k < end; ++k)
+            low = Kokkos::min(low, cells.middle(k, d)), high = Kokkos::max(high, cells.middle(k, d));
+          cells.low(g, d) = low, cells.high(g, d) = high;
+        }
+      });
+  return cells;
+}
+
 // No more than from x to the action in the nearest of the cells; 0 where there are none, so that all move.
-SWARF_FN Real distance_to(const VectorField& cells, Real cell_size, const Vector3& x) {
-  const int rows = int(cells.extent(0));
+SWARF_FN Real distance_to(const ActionCells& cells, const Vector3& x) {
+  const int rows = int(cells.middle.extent(0));
   Real least = rows > 0 ? Kokkos::Experimental::infinity_v<Real> : Real(0);
-  for (int k = 0; k < rows; ++k) {
-    const Vector3 d = x - load_vector(cells, k);
-    least = Kokkos::min(least, dot(d, d));
+  for (int g = 0; g * ActionCells::group < rows; ++g) {
+    const Vector3 below = load_vector(cells.low, g) - x, above = x - load_vector(cells.high, g);
+    const Vector3 out{Kokkos::max(Kokkos::max(below.x, above.x), Real(0)),
+                      Kokkos::max(Kokkos::max(below.y, above.y), Real(0)),
+                      Kokkos::max(Kokkos::max(below.z, above.z), Real(0))};
+    if (!(dot(out, out) < least)) continue;
+    const int end = Kokkos::min((g + 1) * ActionCells::group, rows);
+    for (int k = g * ActionCells::group; k < end; ++k) {
+      const Vector3 d = x - load_vector(cells.middle, k);
+      least = Kokkos::min(least, dot(d, d));
+    }
   }
-  return Kokkos::max(Kokkos::sqrt(least) - Real(0.5) * Kokkos::sqrt(Real(3)) * cell_size, Real(0));
+  return Kokkos::max(Kokkos::sqrt(least) - Real(0.5) * Kokkos::sqrt(Real(3)) * cells.size, Real(0));
 }
 
 // place(i): 1 where row i is taken, else 0; becomes its number among those taken, else -1. Returns how many.

@@ -7,9 +7,10 @@ namespace swarf {
 namespace {
 
 void hold_nodes(const HexMesh& m, const VectorField& action, const Sleep& s) {
+  const ActionCells cells = group_cells(action, s.cell);
   Kokkos::parallel_for(
       "hold_nodes", Range(0, m.nodes), KOKKOS_LAMBDA(int a) {
-        const Real d = distance_to(action, s.cell, load_vector(m.position, a));
+        const Real d = distance_to(cells, load_vector(m.position, a));
         m.damping(a) = damping_at(s, d);
         m.constraints(a) = (m.constraints(a) & ~held_bit) | (d <= s.distance ? 0u : held_bit);
       });

@@ -27,13 +27,14 @@ SWARF_FN void still(const Particles& p, int i) {
 // Particles keep their order, so that nothing changes where nothing sleeps; tied ones come back to theirs.
 KeyedRows rank_rows(const Particles& p, const VectorField& action, const Sleep& s) {
   const KeyedRows order(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_order"), p.stored);
+  const ActionCells cells = group_cells(action, s.cell);
   Kokkos::parallel_for(
       "rest_particles", Range(0, p.stored), KOKKOS_LAMBDA(int i) {
         if (p.constraints(i) & retired_bit) {
           order(i) = {(CellKey(far) << 40) | CellKey(i), i};
           return;
         }
-        const Real d = distance_to(action, s.cell, load_vector(p.position, i));
+        const Real d = distance_to(cells, load_vector(p.position, i));
         const bool tied = p.identity(i) >= p.whole;
         const bool moves = d <= s.distance, is_awake = d <= s.distance + s.margin;
         p.damping(i) = damping_at(s, d);
