@@ -31,6 +31,7 @@ PROBED = 150  # deg
 SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"
 PARTS = {"asleep": {"sleep": {"distance": SLEEP_DISTANCE}},
          "retired": {"sleep": {"distance": SLEEP_DISTANCE}, "retire": {"distance": RETIRE_DISTANCE}}}
+CUTTING = "tooth1_"  # with a helix the tooth before still leaves while this one enters: a window has not that one
 BIN = 1.0  # deg
 
 
@@ -97,11 +98,11 @@ def is_complete(folder):
     return summary.exists() and json.loads(summary.read_text())["ended"] == "complete"
 
 
-def read_samples(folder):
-    """(immersion in the middle of the sample, its duration, force x, force y)"""
+def read_samples(folder, of=""):
+    """(immersion in the middle of the sample, its duration, force x, force y), of all teeth, or of CUTTING alone"""
+    names = ("immersion [deg]", "time [s]", f"{of}force_x [N]", f"{of}force_y [N]")
     with open(folder / "history.csv", newline="") as file:
-        rows = [[float(row[name]) for name in ("immersion [deg]", "time [s]", "force_x [N]", "force_y [N]")]
-                for row in csv.DictReader(file) if None not in row.values()]
+        rows = [[float(row[name]) for name in names] for row in csv.DictReader(file) if None not in row.values()]
     return [(0.5 * (a[0] + b[0]), b[1] - a[1], b[2], b[3]) for a, b in zip(rows, rows[1:])]
 
 
@@ -173,7 +174,7 @@ def measure_scene():
     joined = json.loads((folder / "windows.json").read_text())
     with open(folder / "windows.csv", newline="") as file:
         rows = [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
-    whole = read_samples(RESULTS / "scene_pass") if (RESULTS / "scene_pass" / "history.csv").exists() else []
+    whole = read_samples(RESULTS / "scene_pass", CUTTING) if (RESULTS / "scene_pass" / "history.csv").exists() else []
     names = {one["immersion"]: name for name, one in joined["windows"].items()}
     for row in rows:
         summary = json.loads((folder / names[row["immersion"]] / "summary.json").read_text())
@@ -215,6 +216,8 @@ def main():
     for name in (*PARTS, "scene_pass"):
         if (RESULTS / name / "summary.json").exists():
             found[name] = measure_part(name)
+    if "scene_pass" in found and (RESULTS / "scene_pass").exists():
+        found["scene_pass"]["cutting"] = bins(read_samples(RESULTS / "scene_pass", CUTTING))
     if (RESULTS / "scene" / "windows.csv").exists():
         found["scene"] = measure_scene()
     write_results(found)

@@ -15,20 +15,19 @@ def picture(found):
     whole, windows = found["scene_pass"], found["scene"]
     width = windows["width"]  # deg, of the mean that is drawn
     figure, axes = plt.subplots(figsize=(9, 5))
-    bins = whole["bins"]
-    angle = numpy.array(bins["immersion"])
-    axes.plot(angle, draw.planar(bins), color="0.75", linewidth=1, label="whole pass, means over 1°")
-    middles = draw.smooth(angle, width)[0]
-    smooth = {name: draw.smooth(numpy.array(bins[name]), width)[0] for name in ("force_x", "force_y")}
-    axes.plot(middles, numpy.hypot(*smooth.values()), color="black", linewidth=2, label=f"whole pass, means over {width}°")
-    for (name, values), style in zip(smooth.items(), ("--", ":")):
-        axes.plot(middles, values, color="black", linewidth=1, linestyle=style, label=f"{name[-1]} of the force on the tool")
+    for name, what, colour in (("bins", "both teeth", "0.6"), ("cutting", "the tooth that cuts", "black")):
+        bins = whole[name]
+        angle = draw.smooth(numpy.array(bins["immersion"]), width)[0]
+        smooth = [draw.smooth(numpy.array(bins[axis]), width)[0] for axis in ("force_x", "force_y")]
+        axes.plot(angle, numpy.hypot(*smooth), color=colour, linewidth=2, label=f"whole pass, {what}, means over {width}°")
+    for values, axis, style in zip(smooth, "xy", ("--", ":")):
+        axes.plot(angle, values, color="black", linewidth=1, linestyle=style, label=f"{axis}, the tooth that cuts")
     rows = windows["rows"]
     axes.errorbar([row["immersion"] for row in rows], [row["force_planar"] for row in rows],
                   yerr=[row["error_planar"] for row in rows], color=draw.COLOURS[0], marker="o", linestyle="none", capsize=3,
                   label=f"windows of {windows['width']}° after {windows['run_in']}° of run-in")
     axes.axhline(0, color="black", linewidth=0.8)
-    axes.set(xlabel="immersion / deg", ylabel="force / N")
+    axes.set(xlabel="immersion / deg", ylabel="planar force / N")
     axes.legend(frameon=False, fontsize=8)
     axes.spines[["top", "right"]].set_visible(False)
     axes.grid(color="0.92")
@@ -53,8 +52,10 @@ def write_pass(found):
         ratio = pairs[:, 0].sum() / pairs[:, 1].sum()
         left = pairs[:, 0] - ratio * pairs[:, 1]
         error = left.std(ddof=1) * len(rows) ** 0.5 / pairs[:, 1].sum()
-        lines += [f"The mean force of the {len(rows)} windows that it has passed differs from it by {draw.percent(ratio - 1)}, "
-                  f"standard error {100 * error:.1f} % from the scatter of the windows.", ""]
+        lines += [f"The mean force of the {len(rows)} windows that it has passed differs from that of its cutting tooth by "
+                  f"{draw.percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of the windows. By the helix "
+                  "the tooth before leaves until 187 deg while this one enters, and its force is against the other's: a "
+                  "window, which has one tooth's work, lacks it below 12 deg.", ""]
     return lines
 
 
@@ -71,7 +72,7 @@ def write(found):
              f"mean: {count} take {hours(count * core_seconds)} on two cores that do nothing else. From them swarf predicts "
              f"{hours(scene['predicted_core_seconds'])} for the whole pass without sleep.", ""]
     lines += write_pass(found) if "scene_pass" in found else []
-    lines += ["| immersion / deg | uncut chip at the end face / um | planar / N | standard error / N | whole pass, planar / N | "
+    lines += ["| immersion / deg | uncut chip at the end face / um | planar / N | standard error / N | whole pass, same tooth / N | "
               "difference | F_x / N | F_y / N | F_z / N | particles | hexes | steps | core-seconds | memory / MiB | "
               "energy residual | leaked |", "|" + "---:|" * 16]
     for row in rows:
