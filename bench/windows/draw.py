@@ -248,7 +248,9 @@ def write_page(found):
              f"run to {whole['end']:.1f} deg so far: windows beyond that have nothing to be compared with")
     lines = ["# Windows against the whole pass", "",
              "Made by `bench/windows/run`; every number is from `bench/windows/results.json`. The scene is "
-             f"`{found['deck']}`: a periodic slice, so without a helix, in cells of 4 um. The whole pass: {state}.", "",
+             f"`{found['deck']}`: a periodic slice, so without a helix, in cells of 4 um. The whole pass: {state}. All runs of "
+             "the slice are from before the diffused pressure took the density along (commit 875491a), those of the whole scene "
+             "from after.", "",
              "![Force over immersion, and what the run-in does](windows.png)", "",
              "The lower picture compares force by force at the same angle, whatever the window's measurement is: where "
              "it has settled, the run-in is long enough.", ""]
