@@ -49,9 +49,8 @@ const Keys<ParticlesDeck>& particles_keys() {
       {"artificial_stress_exponent", &P::artificial_stress_exponent, D::none, Range{1, 10}, "4.0", always,
        "power of W(r) / W(spacing) in it"},
       {"pressure_diffusion", &P::pressure_diffusion, D::none, Range{0, 1}, "0.0", always,
-       "of pressures that alternate between neighbours, and of the density with them, share of wave speed * "
-       "h "
-       "(Antuono et al. 2010); 0: off"},
+       "of pressures that alternate between neighbours, and of the density with them, share of wave "
+       "speed * h (Antuono et al. 2010); 0: off"},
       {"xsph", &P::xsph, D::none, share, "0.0", always,
        "share of the neighbours' velocity in the velocity that particles move with (Monaghan 1989); 0: off"},
       {"skin", &P::skin, D::none, Range{0, 1, true, false}, "0.1", always,
