@@ -99,14 +99,14 @@ void Simulation::rest() {
 }
 
 // Until the action is looked for again the tool may travel a quarter of what is near to it, the rest being
-// for the gap at which it touches; and what moves fastest as far as the action is known to, but no farther
-// than what has retired is looked for.
+// for the gap at which it touches; and what moves fastest a quarter of the distance to which all around it is
+// awake, but no farther than what has retired is looked for.
 void Simulation::plan_rest(double speed) {
   if (!deck.sleep.distance) return;
   const Sleep s = sleep_of();
   const double elapsed = now - rested_at + step_size * double(next_check - steps); // at the next check
   const bool tool_came = model.tool.facets > 0 && driving_speed * elapsed >= 0.25 * double(s.near);
-  const double way = model.spacing > 0 ? std::min(double(s.cell), model.spacing) : double(s.cell);
+  const double way = std::min(0.25 * double(s.distance), deck.retire.distance ? model.spacing : HUGE_VAL);
   rest_due = tool_came || speed * elapsed >= way;
   lists_due = lists_due || (rest_due && model.particles.stored > 0);
 }

@@ -4,29 +4,15 @@ import json
 import math
 import pathlib
 
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
-import matplotlib.pyplot as plt
 import numpy
 
+from common import COLOURS, DOCS, percent, planar, ratio_of_means, save, smooth
 import finer_page
+import matplotlib.pyplot as plt
 import scene_page
 
 HERE = pathlib.Path(__file__).resolve().parent
-DOCS = HERE.parents[1] / "docs"
-COLOURS = ("#0072b2", "#d55e00")  # Okabe & Ito 2008
 MARKERS = "os"
-
-
-def planar(bins):
-    return numpy.hypot(bins["force_x"], bins["force_y"])
-
-
-def smooth(values, count):
-    kernel = numpy.ones(count) / count
-    return numpy.convolve(values, kernel, mode="valid"), (count - 1) // 2
 
 
 def compared(windows):
@@ -50,12 +36,8 @@ def ratio_since_entry(windows, whole):
                 found.setdefault(turned, []).append((force, of_whole[angle]))
     rows = []
     for turned in sorted(found):
-        pairs = numpy.array(found[turned])
-        if len(pairs) < 3:
-            continue
-        ratio = pairs[:, 0].mean() / pairs[:, 1].mean()
-        left = pairs[:, 0] - ratio * pairs[:, 1]
-        rows.append((turned, ratio, left.std(ddof=1) / math.sqrt(len(pairs)) / pairs[:, 1].mean()))
+        if len(found[turned]) > 2:
+            rows.append((turned, *ratio_of_means(found[turned])))
     return numpy.array(rows)
 
 
@@ -89,16 +71,7 @@ def draw(found):
     run_in.set(xlabel="turned since the window's run began, just outside of the material / deg",
                ylabel="force, window / whole pass\n(of the means over the windows)")
     run_in.legend(frameon=False)
-    for axes in (curve, run_in):
-        axes.spines[["top", "right"]].set_visible(False)
-        axes.grid(color="0.92")
-    figure.tight_layout()
-    for suffix in ("png", "svg"):
-        figure.savefig(DOCS / f"windows.{suffix}", dpi=150, metadata={"Date": None} if suffix == "svg" else None)
-
-
-def percent(value):
-    return f"{100 * value:+.1f} %"
+    save(figure, (curve, run_in), "windows")
 
 
 def write_table(windows):
@@ -118,15 +91,13 @@ def summarize(windows, found):
     lines = []
     if len(rows) > 2:
         difference = differences(windows)
-        forces = [numpy.array([one[key] for one in rows]) for key in ("force_planar", "whole_planar", "error_planar")]
-        ratio = forces[0].sum() / forces[1].sum()
-        left = forces[0] - ratio * forces[1]
-        error = left.std(ddof=1) * math.sqrt(len(rows)) / forces[1].sum()
+        ratio, error = ratio_of_means([(one["force_planar"], one["whole_planar"]) for one in rows])
+        own = numpy.mean([one["error_planar"] / one["force_planar"] for one in rows])
         lines.append(f"- {name}: the mean force of the {len(rows)} windows differs from the whole pass's at the same "
                      f"angles by {percent(ratio - 1)}, with a standard error of {100 * error:.1f} % from the scatter "
                      f"of the windows. Single windows differ by {100 * math.sqrt((difference ** 2).mean()):.0f} % "
                      f"(root mean square), the largest by {percent(difference[abs(difference).argmax()])}; their own "
-                     f"standard errors, from inside of a measurement, are {100 * (forces[2] / forces[0]).mean():.0f} % on "
+                     f"standard errors, from inside of a measurement, are {100 * own:.0f} % on "
                      f"the mean, and too small, because the force swings over more than a measurement. The scatter between "
                      f"the {len(windows['windows'])} windows, which needs no whole pass and is what the bars show, is "
                      f"{100 * windows['scatter'] / numpy.mean([one['force_planar'] for one in windows['windows']]):.0f}"
@@ -151,11 +122,9 @@ def whole_runs(found, first):
                      if angle in of_whole and angle - one["start"] > first]
             if pairs:
                 sums.append(numpy.sum(pairs, axis=0))
-    sums = numpy.array(sums)
     if len(sums) < 3:
         return []
-    ratio = sums[:, 0].sum() / sums[:, 1].sum()
-    error = (sums[:, 0] - ratio * sums[:, 1]).std(ddof=1) * math.sqrt(len(sums)) / sums[:, 1].sum()
+    ratio, error = ratio_of_means(sums)
     return [f"- All that the {len(sums)} windows of both sets have cut where the whole pass has been, {first} deg after "
             f"their start and later, run-in or not: the mean force differs by {percent(ratio - 1)}, standard error "
             f"{100 * error:.1f} %."]
@@ -202,8 +171,7 @@ def compare(part, reference):
     pairs = numpy.array([(value, force[angle]) for angle, value in zip(part["bins"]["immersion"], planar(part["bins"]))
                          if 0 < angle < 180 and angle in force])
     means = pairs[:len(pairs) // 10 * 10].reshape(-1, 10, 2).mean(axis=1)
-    ratio = means[:, 0].sum() / means[:, 1].sum()
-    error = (means[:, 0] - ratio * means[:, 1]).std(ddof=1) * math.sqrt(len(means)) / means[:, 1].sum()
+    ratio, error = ratio_of_means(means)
     return (f"Mean force {percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of {len(means)} stretches "
             f"of 10 deg, which differ by {100 * math.sqrt(((means[:, 0] / means[:, 1] - 1) ** 2).mean()):.0f} % (root mean "
             f"square)")

@@ -1,8 +1,8 @@
 """The section of docs/windows.md on smaller cells, and its picture."""
-import matplotlib.pyplot as plt
 import numpy
 
-import draw
+from common import COLOURS, percent, ratio_of_means, save, smooth
+import matplotlib.pyplot as plt
 
 FIRST, LAST = 150, 170  # deg, where the windows in large cells miss most
 
@@ -21,27 +21,23 @@ def picture(found):
     fine = next(one for one in entry["windows"] if one["spacing"] == entry["whole"]["spacing"])
     figure, axes = plt.subplots(figsize=(9, 5))
     bins = entry["whole"]["bins"]
-    middles, _ = draw.smooth(numpy.array(bins["immersion"]), 6)
-    components = [draw.smooth(numpy.array(bins[name]), 6)[0] for name in ("force_x", "force_y")]
+    middles, _ = smooth(numpy.array(bins["immersion"]), 6)
+    components = [smooth(numpy.array(bins[name]), 6)[0] for name in ("force_x", "force_y")]
     axes.plot(middles, numpy.hypot(*components), color="black", linewidth=2,
               label=f"whole pass in cells of {fine['spacing']:g} um, means over 6°")
     axes.errorbar([one["immersion"] for one in fine["windows"]], [one["force_planar"] for one in fine["windows"]],
-                  yerr=fine["scatter"], color=draw.COLOURS[0], marker="o", linestyle="none", capsize=3,
+                  yerr=fine["scatter"], color=COLOURS[0], marker="o", linestyle="none", capsize=3,
                   label=f"windows in cells of {fine['spacing']:g} um")
     for windows, marker in ((coarse(found), "v"), (entry["windows"][0], "s")):
-        axes.plot([FIRST, LAST], [at(windows, angle)["force_planar"] for angle in (FIRST, LAST)], marker, color=draw.COLOURS[1],
+        axes.plot([FIRST, LAST], [at(windows, angle)["force_planar"] for angle in (FIRST, LAST)], marker, color=COLOURS[1],
                   fillstyle="none", label=f"windows in cells of {windows['spacing']:g} um")
     axes.set(xlabel="immersion / deg", ylabel="planar force / N", ylim=(0, None))
     axes.legend(frameon=False, loc="lower center")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.grid(color="0.92")
-    figure.tight_layout()
-    for suffix in ("png", "svg"):
-        figure.savefig(draw.DOCS / f"windows_finer.{suffix}", dpi=150, metadata={"Date": None} if suffix == "svg" else None)
+    save(figure, (axes,), "windows_finer")
 
 
 def share(row):
-    return draw.percent(row["force_planar"] / row["whole_planar"] - 1) if "whole_planar" in row else "-"
+    return percent(row["force_planar"] / row["whole_planar"] - 1) if "whole_planar" in row else "-"
 
 
 def write(found):
@@ -64,15 +60,13 @@ def write(found):
             cells.append(f"{chip / windows['spacing']:.1f} | {at(windows, angle)['force_planar']:.2f}")
         lines.append(f"| {windows['spacing']:g} | " + " | ".join(cells) + " |")
     rows = [one for one in fine["windows"] if "whole_planar" in one]
-    total = [sum(one[key] for one in rows) for key in ("force_planar", "whole_planar")]
-    left = numpy.array([one["force_planar"] - total[0] / total[1] * one["whole_planar"] for one in rows])
-    error = left.std(ddof=1) * len(rows) ** 0.5 / total[1]
+    ratio, error = ratio_of_means([(one["force_planar"], one["whole_planar"]) for one in rows])
     cost = ""
     if "core_seconds" in whole:
         cost = (f" The windows took {fine['core_seconds']:.0f} core-seconds: "
                 f"{100 * fine['core_seconds'] / whole['core_seconds']:.0f} % of that pass, which sleeps.")
     lines += ["", f"Against the whole pass in cells of {whole['spacing']:g} um, its far part asleep ({state}): mean force "
-              f"{draw.percent(total[0] / total[1] - 1)}, standard error {100 * error:.1f} % from the scatter of "
+              f"{percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of "
               f"{len(rows)} windows.{cost}", "",
               "| immersion / deg | uncut chip, cells | window / N | whole pass / N | difference | core-seconds |",
               "|---:|---:|---:|---:|---:|---:|"]

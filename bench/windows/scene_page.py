@@ -1,8 +1,8 @@
 """The section of docs/windows.md on the whole scene, and its picture."""
-import matplotlib.pyplot as plt
 import numpy
 
-import draw
+from common import COLOURS, percent, ratio_of_means, save, smooth
+import matplotlib.pyplot as plt
 
 CORES = 2
 
@@ -17,23 +17,19 @@ def picture(found):
     figure, axes = plt.subplots(figsize=(9, 5))
     for name, what, colour in (("bins", "both teeth", "0.6"), ("cutting", "the tooth that cuts", "black")):
         bins = whole[name]
-        angle = draw.smooth(numpy.array(bins["immersion"]), width)[0]
-        smooth = [draw.smooth(numpy.array(bins[axis]), width)[0] for axis in ("force_x", "force_y")]
-        axes.plot(angle, numpy.hypot(*smooth), color=colour, linewidth=2, label=f"whole pass, {what}, means over {width}°")
-    for values, axis, style in zip(smooth, "xy", ("--", ":")):
+        angle = smooth(numpy.array(bins["immersion"]), width)[0]
+        components = [smooth(numpy.array(bins[axis]), width)[0] for axis in ("force_x", "force_y")]
+        axes.plot(angle, numpy.hypot(*components), color=colour, linewidth=2, label=f"whole pass, {what}, means over {width}°")
+    for values, axis, style in zip(components, "xy", ("--", ":")):
         axes.plot(angle, values, color="black", linewidth=1, linestyle=style, label=f"{axis}, the tooth that cuts")
     rows = windows["rows"]
     axes.errorbar([row["immersion"] for row in rows], [row["force_planar"] for row in rows],
-                  yerr=[row["error_planar"] for row in rows], color=draw.COLOURS[0], marker="o", linestyle="none", capsize=3,
+                  yerr=[row["error_planar"] for row in rows], color=COLOURS[0], marker="o", linestyle="none", capsize=3,
                   label=f"windows of {windows['width']}° after {windows['run_in']}° of run-in")
     axes.axhline(0, color="black", linewidth=0.8)
     axes.set(xlabel="immersion / deg", ylabel="planar force / N")
     axes.legend(frameon=False, fontsize=8)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.grid(color="0.92")
-    figure.tight_layout()
-    for suffix in ("png", "svg"):
-        figure.savefig(draw.DOCS / f"windows_scene.{suffix}", dpi=150, metadata={"Date": None} if suffix == "svg" else None)
+    save(figure, (axes,), "windows_scene")
 
 
 def write_pass(found):
@@ -49,12 +45,9 @@ def write_pass(found):
              f"external work, {whole['leaked_particles']} leaked particles. The same pass without sleep has not been run.", ""]
     rows = [row for row in found["scene"]["rows"] if "whole_planar" in row]
     if len(rows) > 2:
-        pairs = numpy.array([(row["force_planar"], row["whole_planar"]) for row in rows])
-        ratio = pairs[:, 0].sum() / pairs[:, 1].sum()
-        left = pairs[:, 0] - ratio * pairs[:, 1]
-        error = left.std(ddof=1) * len(rows) ** 0.5 / pairs[:, 1].sum()
+        ratio, error = ratio_of_means([(row["force_planar"], row["whole_planar"]) for row in rows])
         lines += [f"The mean force of the {len(rows)} windows that it has passed differs from that of its cutting tooth by "
-                  f"{draw.percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of the windows. By the helix "
+                  f"{percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of the windows. By the helix "
                   "the tooth before leaves until 187 deg while this one enters, and its force is against the other's: a "
                   "window, which has one tooth's work, lacks it below 12 deg.", ""]
     return lines
@@ -78,7 +71,7 @@ def write(found):
               "energy residual | leaked |", "|" + "---:|" * 16]
     for row in rows:
         whole = row.get("whole_planar")
-        compared = f"{whole:.2f} | {draw.percent(row['force_planar'] / whole - 1)}" if whole else "not reached | "
+        compared = f"{whole:.2f} | {percent(row['force_planar'] / whole - 1)}" if whole else "not reached | "
         lines.append(f"| {row['immersion']:g} | {1e6 * row['uncut_chip']:.2f} | {row['force_planar']:.2f} | "
                      f"{row['error_planar']:.2f} | {compared} | "
                      f"{row['force_x']:.2f} | {row['force_y']:.2f} | {row['force_z']:.2f} | "

@@ -1,0 +1,42 @@
+"""What the pages of windows have in common: colours, the ratio of two mean forces, and how a picture is finished."""
+import math
+import pathlib
+
+import matplotlib
+
+matplotlib.use("Agg")
+matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
+import numpy
+
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
+COLOURS = ("#0072b2", "#d55e00")  # Okabe & Ito 2008
+
+
+def planar(bins):
+    return numpy.hypot(bins["force_x"], bins["force_y"])
+
+
+def smooth(values, count):
+    kernel = numpy.ones(count) / count
+    return numpy.convolve(values, kernel, mode="valid"), (count - 1) // 2
+
+
+def percent(value):
+    return f"{100 * value:+.1f} %"
+
+
+def ratio_of_means(pairs):
+    """(mean of the first / mean of the second, its standard error from the scatter of the pairs); Cochran 1977, 2.11"""
+    pairs = numpy.asarray(pairs, dtype=float)
+    ratio = pairs[:, 0].sum() / pairs[:, 1].sum()
+    left = pairs[:, 0] - ratio * pairs[:, 1]
+    return ratio, left.std(ddof=1) * math.sqrt(len(pairs)) / pairs[:, 1].sum()
+
+
+def save(figure, axes, name):
+    for one in axes:
+        one.spines[["top", "right"]].set_visible(False)
+        one.grid(color="0.92")
+    figure.tight_layout()
+    for suffix in ("png", "svg"):
+        figure.savefig(DOCS / f"{name}.{suffix}", dpi=150, metadata={"Date": None} if suffix == "svg" else None)
