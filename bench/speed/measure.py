@@ -141,13 +141,13 @@ def main():
     if options.quick:
         options.rounds = 1
     kept = Kept(options.build / "bench" / "measured", newest=max(p.stat().st_mtime for p in programs(options.build)))
-    begun = time.time()
+    begun, measured = time.time(), commit()  # the tree may change meanwhile
     found = take_rounds(options, kept)
     start = {threads: kept.get(f"start-up-{threads}", lambda: start_up.measure(options.build / "swarf", threads))
              for threads in (() if options.quick else options.threads)}
     names = list(dict.fromkeys(key[0] for key in found))  # in the order of the programs
     results = {
-        "commit": commit(), "date": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
+        "commit": measured, "date": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
         "processor": processor(), "cores": os.cpu_count(), "rounds": options.rounds, "seconds": time.time() - begun,
         "load_average": {"first": kept.loads[0], "median": statistics.median(kept.loads), "most": max(kept.loads)},
         "start_up": start,
