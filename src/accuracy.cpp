@@ -1,4 +1,5 @@
 #include "src/accuracy.hpp"
+#include "src/windows.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -8,15 +9,25 @@ namespace {
 
 const std::string page = "docs/accuracy_cost.md";
 
-std::string describe_error(const ChartPoint& p) {
+template <class Point>
+std::string describe_error(const Point& p) {
   return fmt::format("{:+.1f} % +- {:.1f} %", 100 * p.error, 100 * p.standard_error);
+}
+
+// "" for a run of the whole pass.
+std::string describe_windows(const Choice& choice) {
+  if (!choice.windows) return "";
+  return fmt::format(
+      ", in windows, whose mean differs from the whole pass by {} with {:.3g} particles across the chip "
+      "(docs/windows.md)",
+      describe_error(*choice.windows), choice.windows->chip_rows);
 }
 
 std::string ask(double level) { return fmt::format("{:.1f} %", std::ceil(1000 * level - 1e-6) / 10); }
 
 const Choice& nearest(const AccuracyPlan& plan) {
   return *std::min_element(plan.choices.begin(), plan.choices.end(), [&](const Choice& a, const Choice& b) {
-    return level_of(*a.point, *plan.chart) < level_of(*b.point, *plan.chart);
+    return level_of(a, *plan.chart) < level_of(b, *plan.chart);
   });
 }
 
@@ -35,8 +46,9 @@ std::string advise_three(const AccuracyPlan& plan, double level) {
 }
 
 [[noreturn]] void refuse_asked(const Deck& deck, const AccuracyPlan& plan) {
-  const ChartPoint& p = *nearest(plan).point;
-  const double level = level_of(p, *plan.chart);
+  const Choice& choice = nearest(plan);
+  const ChartPoint& p = *choice.point;
+  const double level = level_of(choice, *plan.chart);
   refuse_accuracy(
       deck,
       fmt::format(
@@ -51,27 +63,33 @@ std::string advise_three(const AccuracyPlan& plan, double level) {
 std::string explain(const AccuracyPlan& plan) {
   const Choice& choice = plan.choices[plan.picked];
   const ChartPoint& p = *choice.point;
-  const auto reaches = [&](const Choice& c) { return level_of(*c.point, *plan.chart) <= plan.asked; };
+  const auto reaches = [&](const Choice& c) { return level_of(c, *plan.chart) <= plan.asked; };
   const auto good = std::count_if(plan.choices.begin(), plan.choices.end(), reaches);
   std::string text = fmt::format(
       "\"{}\" of the chart of {} ({}), {:.3g} particles across the uncut chip: error of the mean "
       "cutting force {}, at "
-      "most {:.1f} % there and at finer spacings, the reference known to {:.1f} %; taken {}, "
+      "most {:.1f} % there and at finer spacings, the reference known to {:.1f} %{}; taken {}, "
       "after {:.3g} um of cut over {:.3g} um. The cheapest of the {} of {} choices that keep {:.4g} %",
       p.label, plan.chart->title, page, p.chip_rows, describe_error(p), 100 * *p.level,
-      100 * plan.chart->uncertainty, plan.chart->where, 1e6 * p.run_in * plan.cut.chip,
-      1e6 * p.measured * plan.cut.chip, good, plan.choices.size(), 100 * plan.asked);
+      100 * plan.chart->uncertainty, describe_windows(choice), plan.chart->where,
+      1e6 * p.run_in * plan.cut.chip, 1e6 * p.measured * plan.cut.chip, good, plan.choices.size(),
+      100 * plan.asked);
   if (plan.picked == 0) return text;
   const Choice& before = plan.choices[plan.picked - 1];
   return text + fmt::format("; the next cheaper, \"{}\", takes {:.2g} of its time and errs by up to {:.1f} %",
                             before.point->label, before.core_seconds / choice.core_seconds,
-                            100 * level_of(*before.point, *plan.chart));
+                            100 * level_of(before, *plan.chart));
 }
 
 } // namespace
 
 double level_of(const ChartPoint& p, const AccuracyChart& chart) {
   return std::max(p.level.value_or(HUGE_VAL), chart.uncertainty);
+}
+
+double level_of(const Choice& choice, const AccuracyChart& chart) {
+  const double added = choice.windows ? std::abs(choice.windows->error) + choice.windows->standard_error : 0;
+  return level_of(*choice.point, chart) + added;
 }
 
 AccuracyPlan plan_accuracy(const Deck& deck, const std::vector<AccuracyChart>& charts) {
@@ -89,8 +107,13 @@ AccuracyPlan plan_accuracy(const Deck& deck, const std::vector<AccuracyChart>& c
       obstacle = why_not;
       continue;
     }
-    const Deck with = put_settings(deck, plan.cut, point);
-    plan.choices.push_back({&point, with, predict_core_seconds(with, plan.cut, point)});
+    Deck with = put_settings(deck, plan.cut, point);
+    const double core_seconds = predict_core_seconds(with, plan.cut, point);
+    if (const WindowsPoint* windows =
+            deck.windows ? find_windows(point, *plan.chart, *deck.windows) : nullptr)
+      plan.choices.push_back({&point, windows, with, core_seconds * effort_in_windows(with)});
+    with.windows.reset();
+    plan.choices.push_back({&point, nullptr, with, core_seconds});
   }
   if (plan.choices.empty())
     refuse_accuracy(deck, "nothing that was measured carries over to this deck: " + obstacle +
@@ -98,7 +121,7 @@ AccuracyPlan plan_accuracy(const Deck& deck, const std::vector<AccuracyChart>& c
   std::stable_sort(plan.choices.begin(), plan.choices.end(),
                    [](const Choice& a, const Choice& b) { return a.core_seconds < b.core_seconds; });
   for (int k = int(plan.choices.size()) - 1; k >= 0; --k)
-    if (level_of(*plan.choices[k].point, *plan.chart) <= plan.asked) plan.picked = k;
+    if (level_of(plan.choices[k], *plan.chart) <= plan.asked) plan.picked = k;
   return plan;
 }
 

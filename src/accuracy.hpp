@@ -6,8 +6,9 @@ namespace swarf {
 
 struct Choice {
   const ChartPoint* point = nullptr;
-  Deck deck;               // with the point's settings
-  double core_seconds = 0; // see predict_core_seconds
+  const WindowsPoint* windows = nullptr; // null: the whole pass in one run
+  Deck deck;                             // with the point's settings
+  double core_seconds = 0;               // see predict_core_seconds
 };
 
 struct AccuracyPlan {
@@ -18,11 +19,14 @@ struct AccuracyPlan {
   int picked = -1;             // the cheapest within the asked accuracy; -1: none is
 };
 
-// Error and standard error together, no less than what the reference is known to.
+// Error and standard error together, no less than what the reference is known to. Those of windows come on
+// top.
 double level_of(const ChartPoint& point, const AccuracyChart& chart);
+double level_of(const Choice& choice, const AccuracyChart& chart);
 
-// Throws DeckError for decks that the chart says nothing about. The same deck always gives the same plan: a
-// run that is resumed has the settings that it began with.
+// A deck with [windows] leaves open whether the pass runs as a whole. Throws DeckError for decks that the
+// chart says nothing about. The same deck always gives the same plan: a run that is resumed has the settings
+// that it began with.
 AccuracyPlan plan_accuracy(const Deck& deck, const std::vector<AccuracyChart>& charts = accuracy_charts());
 
 // The picked deck, which says in `picked` what was set and why; throws DeckError, with what is possible, if

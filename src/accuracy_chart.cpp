@@ -1,5 +1,6 @@
 #include "src/accuracy_chart.hpp"
 #include "src/deck_section.hpp"
+#include <numbers>
 
 namespace swarf {
 
@@ -33,6 +34,13 @@ ChartPoint read_point(const toml::table& table) {
   return p;
 }
 
+WindowsPoint read_windows(const toml::table& table) {
+  const double degree = std::numbers::pi / 180;
+  return {get<double>(table, "chip_rows"), degree * get<double>(table, "run_in"),
+          degree * get<double>(table, "width"), get<double>(table, "error"),
+          get<double>(table, "standard_error")};
+}
+
 AccuracyChart read_chart(const std::string& tool, const toml::table& table) {
   AccuracyChart chart;
   chart.tool = tool, chart.title = get<std::string>(table, "title"),
@@ -44,6 +52,8 @@ AccuracyChart read_chart(const std::string& tool, const toml::table& table) {
   const toml::array* points = table["points"].as_array();
   if (!points) throw std::runtime_error("accuracy chart: " + tool + " has no points");
   for (auto&& point : *points) chart.points.push_back(read_point(*point.as_table()));
+  if (const toml::array* windows = table["windows"].as_array())
+    for (auto&& one : *windows) chart.windows.push_back(read_windows(*one.as_table()));
   return chart;
 }
 

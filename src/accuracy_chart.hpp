@@ -25,6 +25,14 @@ struct ChartPoint {
   double seconds_per_particle_step = 0; // of one core of the machine that measured
 };
 
+// Windows of a pass (src/windows.hpp) against the whole pass in the same cells (docs/windows.md): the mean
+// force over the windows.
+struct WindowsPoint {
+  double chip_rows = 0;         // particles across the uncut chip
+  double run_in = 0, width = 0; // rad
+  double error = 0, standard_error = 0;
+};
+
 struct AccuracyChart {
   std::string tool;                    // kind: wedge | end_mill
   std::string title, deck;             // of the scene that was measured
@@ -33,6 +41,7 @@ struct AccuracyChart {
   double edge_over_chip = 0, rake = 0; // deg
   double depth = 0; // of the particles below the cut (of a mill's: below the bore), in uncut chips
   std::vector<ChartPoint> points;
+  std::vector<WindowsPoint> windows; // none: windows were not measured with this tool
 };
 
 // Throws std::runtime_error: unknown keys of [particles] and missing values are faults.

@@ -123,10 +123,6 @@ Cut find_cut(const Deck& deck) {
                     fmt::format("the chart was measured with an end mill and a wedge, and this deck has {}. "
                                 "Remove this key and choose the settings yourself",
                                 deck.tool ? "a tool of kind \"" + deck.tool->kind + "\"" : "no tool"));
-  if (deck.windows)
-    refuse_accuracy(deck,
-                    "the chart is of one run, and windows scatter about the whole pass by more than it says "
-                    "(docs/windows.md). Leave out [windows], or this key");
   const ToolDeck& tool = *deck.tool;
   const bool is_mill = tool.kind == "end_mill";
   Cut cut;
@@ -169,6 +165,17 @@ std::string find_obstacle(const ChartPoint& point, const AccuracyChart& chart, c
     return fmt::format("the tool moves at {:.3g} m/s: at most {:.3g} m/s have the inertia that was measured",
                        cut.speed, cut.wave / point.wave_over_speed);
   return "";
+}
+
+const WindowsPoint* find_windows(const ChartPoint& point, const AccuracyChart& chart,
+                                 const WindowsDeck& windows) {
+  const WindowsPoint* found = nullptr;
+  const double little = 1e-9;
+  for (const WindowsPoint& one : chart.windows)
+    if (one.chip_rows <= point.chip_rows * (1 + 1e-3) && one.run_in <= windows.run_in + little &&
+        one.width <= windows.width + little && (!found || one.chip_rows >= found->chip_rows))
+      found = &one;
+  return found;
 }
 
 Deck put_settings(const Deck& deck, const Cut& cut, const ChartPoint& point) {

@@ -28,6 +28,11 @@ Cut find_cut(const Deck& deck);
 // "" or why the point's settings have no meaning in this deck.
 std::string find_obstacle(const ChartPoint& point, const AccuracyChart& chart, const Cut& cut);
 
+// What windows add to the error of the point: as measured with no more particles across the chip, nor longer
+// a run-in or measurement; null where that was not measured.
+const WindowsPoint* find_windows(const ChartPoint& point, const AccuracyChart& chart,
+                                 const WindowsDeck& windows);
+
 // The deck with the point's settings, without run.accuracy. Bodies keep their sizes but along a periodic
 // slice, which becomes a whole number of spacings; the tool along it, and the force scale, follow.
 Deck put_settings(const Deck& deck, const Cut& cut, const ChartPoint& point);

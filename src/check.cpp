@@ -150,11 +150,9 @@ int check_deck(const std::string& file) {
              ExecSpace().concurrency(), start_up);
   found.line("predicted run time", "{:.3g} s ({:.3g} h)", steps * per_step, steps * per_step / 3600);
   if (deck.windows) {
-    double effort = 0;
-    const std::vector<Window> windows = cut_windows(deck, *deck.windows);
-    for (const Window& window : windows) effort += find_effort(window.deck) / find_effort(deck);
-    found.line("the same in windows", "{} windows, {:.3g} s ({:.1f} %)", windows.size(),
-               effort * steps * per_step, 100 * effort);
+    const double effort = effort_in_windows(deck);
+    found.line("the same in windows", "{} windows, {:.3g} s ({:.1f} %)",
+               cut_windows(deck, *deck.windows).size(), effort * steps * per_step, 100 * effort);
   }
   found.line("memory", "{:.0f} MiB", double(usage.ru_maxrss) / 1024);
   check_cutting(deck, scene, found);

@@ -22,8 +22,13 @@ int with_kokkos(int threads, const Work& work) {
   return work();
 }
 
-int threads_for(const std::string& deck, int asked) {
-  return asked > 0 ? asked : swarf::read_deck(deck).run.threads;
+int run(const swarf::RunOptions& options, const swarf::WindowsOptions& how) {
+  const swarf::Deck deck = swarf::deck_to_run(options);
+  if (deck.windows) return swarf::run_windows(deck, options, how);
+  if (how.jobs > 1)
+    throw swarf::DeckError("--jobs counts windows side by side: give --windows too, or --threads instead.");
+  return with_kokkos(how.threads > 0 ? how.threads : deck.run.threads,
+                     [&] { return swarf::run_deck(deck, options); });
 }
 
 } // namespace
@@ -34,7 +39,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   swarf::RunOptions options;
   int threads = 0;
-  bool no_pictures = false, whole = false;
+  bool no_pictures = false;
   swarf::WindowsOptions windows;
 
   CLI::App* run = app.add_subcommand("run", "run a deck");
@@ -46,11 +51,12 @@ int main(int argc, char** argv) {
   run->add_flag("--resume", options.resume, "continue from the folder's checkpoint");
   run->add_flag("--no-pictures", no_pictures, "draw nothing at the end");
   CLI::Option* spread =
-      run->add_option("--windows", windows.windows,
+      run->add_option("--windows", options.windows,
                       "run short windows of immersion first:last:step, deg, instead of the whole pass");
   run->add_option("--jobs", windows.jobs, "windows side by side, of one thread each if there are several")
       ->check(CLI::Range(1, swarf::ChildProcesses::most));
-  run->add_flag("--whole", whole, "run the whole pass, though the deck has [windows]")->excludes(spread);
+  run->add_flag("--whole", options.whole, "run the whole pass, though the deck has [windows]")
+      ->excludes(spread);
 
   CLI::App* check = app.add_subcommand("check", "build the scene, say what it costs and whether it is fit");
   check->add_option("deck", options.deck, "the deck")->required();
@@ -70,13 +76,9 @@ int main(int argc, char** argv) {
     if (*plot) return swarf::draw_plots(folder), 0;
     if (*render) return swarf::render_strip(folder) ? 0 : 1;
     options.pictures = !no_pictures, windows.threads = threads;
-    if (*run && !whole && (*spread || swarf::read_deck(options.deck).windows))
-      return swarf::run_windows(options, windows);
-    if (*run && windows.jobs > 1)
-      throw swarf::DeckError("--jobs counts windows side by side: give --windows too, or --threads instead.");
-    const int asked = threads_for(options.deck, threads);
-    if (*check) return with_kokkos(asked, [&] { return swarf::check_deck(options.deck), 0; });
-    if (*run) return with_kokkos(asked, [&] { return swarf::run_deck(options); });
+    if (*run) return ::run(options, windows);
+    const int asked = threads > 0 ? threads : swarf::read_deck(options.deck).run.threads;
+    return with_kokkos(asked, [&] { return swarf::check_deck(options.deck), 0; });
   } catch (const std::exception& error) {
     fmt::print(stderr, "swarf: {}\n", error.what());
     return 1;

@@ -5,6 +5,7 @@
 #include "src/progress.hpp"
 #include "src/results.hpp"
 #include "src/summary.hpp"
+#include "src/windows.hpp"
 #include "src/write_hdf5.hpp"
 #include "src/write_vtk.hpp"
 #include <cmath>
@@ -124,8 +125,15 @@ std::string default_output(const std::string& deck_file) {
   return (std::filesystem::path("results") / std::filesystem::path(deck_file).stem()).string();
 }
 
-int run_deck(const RunOptions& options) {
-  const Deck deck = apply_accuracy(read_deck(options.deck));
+Deck deck_to_run(const RunOptions& options) {
+  Deck deck = read_deck(options.deck);
+  if (options.whole) deck.windows.reset();
+  if (!options.windows.empty())
+    deck.windows = read_windows_option(options.windows, deck.windows.value_or(default_windows()));
+  return apply_accuracy(deck);
+}
+
+int run_deck(const Deck& deck, const RunOptions& options) {
   fmt::print("{}", show_pick(deck));
   const std::string where = options.output.empty() ? default_output(options.deck) : options.output;
   const double end = end_time_of(deck);

@@ -1,6 +1,6 @@
 // One run of a deck: the loop over time, what is written when, how it ends.
 #pragma once
-#include <string>
+#include "src/deck.hpp"
 
 namespace swarf {
 
@@ -10,11 +10,17 @@ struct RunOptions {
   bool resume = false;  // continue from the folder's checkpoint
   bool pictures = true; // draw them at the end
   long stop_after = 0;  // steps; 0: the deck's end. For trials of large scenes
+  std::string windows;  // first:last:step, or empty: as in the deck
+  bool whole = false;   // the whole pass, though the deck has [windows]
 };
+
+// The deck as `run` takes it: with [windows] as the options say, and the settings that run.accuracy picks.
+// Throws DeckError.
+Deck deck_to_run(const RunOptions& options);
 
 // Exit status: 0 done, 3 the computation became unstable (last frame and checkpoint written), 130 interrupted
 // (checkpoint written). Throws DeckError, ResultsError. Kokkos must be initialised.
-int run_deck(const RunOptions& options);
+int run_deck(const Deck& deck, const RunOptions& options);
 
 // "results/<stem of the deck file>"
 std::string default_output(const std::string& deck_file);

@@ -5,14 +5,13 @@
 namespace swarf {
 
 struct WindowsOptions {
-  std::string windows; // first:last:step, or empty: as in the deck
-  int jobs = 1;        // side by side
-  int threads = 0;     // of each; 0: one if there are several jobs, else the deck's
+  int jobs = 1;    // side by side
+  int threads = 0; // of each; 0: one if there are several jobs, else the deck's
 };
 
-// Exit status: 0 all complete, 3 some failed (named in the report; the others are joined), 130 interrupted.
-// Windows that are complete already, of the same deck, are kept; `resume` goes on from the others'
-// checkpoints. Throws DeckError, ResultsError.
-int run_windows(const RunOptions& options, const WindowsOptions& how);
+// Of a deck with [windows]. Exit status: 0 all complete, 3 some failed (named in the report; the others are
+// joined), 130 interrupted. Windows that are complete already, of the same deck, are kept; `resume` goes on
+// from the others' checkpoints. Throws DeckError, ResultsError.
+int run_windows(const Deck& deck, const RunOptions& options, const WindowsOptions& how);
 
 } // namespace swarf

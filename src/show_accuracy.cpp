@@ -28,6 +28,7 @@ std::string describe_method(const ChartPoint& point, const Choice& choice, const
   if (point.sleep_rows > 0)
     parts.push_back(fmt::format("asleep beyond {:.3g} um", 1e6 * *choice.deck.sleep.distance));
   if (!point.bulk) parts.push_back("no hexes");
+  if (choice.windows) parts.push_back("in windows");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -47,7 +48,7 @@ std::string show_choices(const AccuracyPlan& plan, double scale) {
         fmt::format("{} {:<24} {:10.3g} {:9.3g} {:>6} {:8.3g} {:8.3g} {:13.3g} {:>17} {:>7.1f}%  {}\n",
                     int(k) == plan.picked ? '>' : ' ', p.label, 1e6 * plan.cut.chip / p.chip_rows,
                     p.chip_rows, slice, choice.deck.run.mass_factor, p.courant, scale * choice.core_seconds,
-                    error, 100 * level_of(p, *plan.chart), describe_method(p, choice, plan));
+                    error, 100 * level_of(choice, *plan.chart), describe_method(p, choice, plan));
   }
   return text +
          fmt::format(

@@ -282,4 +282,10 @@ double find_effort(const Deck& deck) {
   return cells * (*deck.run.end_immersion - deck.tool->start_angle);
 }
 
+double effort_in_windows(const Deck& deck) {
+  double effort = 0;
+  for (const Window& window : cut_windows(deck, *deck.windows)) effort += find_effort(window.deck);
+  return effort / find_effort(deck);
+}
+
 } // namespace swarf

@@ -27,5 +27,7 @@ WindowsDeck read_windows_option(const std::string& text, WindowsDeck windows);
 
 // Cells times immersion to go through: what a run costs is proportional to it, whatever the window.
 double find_effort(const Deck& deck);
+// Of all windows of a deck with [windows], over that of its whole pass.
+double effort_in_windows(const Deck& deck);
 
 } // namespace swarf

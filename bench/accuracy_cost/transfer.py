@@ -4,8 +4,11 @@ Lengths are counted in uncut chip thicknesses h or in spacings, inertia as wave 
 speed. A point whose changes cannot be said so (a shorter work, another build, hexes only) is left out: nothing is
 promised from it. Points are read from the keys changed of results.csv, so also those that the sweep found itself.
 """
+import json
 import math
+import pathlib
 import re
+import sys
 import tomllib
 
 import advise
@@ -13,6 +16,10 @@ import decks
 import draw
 from points import MEAN_OF, Point
 from reference import ENERGY
+
+WINDOWS = pathlib.Path(__file__).resolve().parents[1] / "windows"
+sys.path.append(str(WINDOWS))
+from common import RUN_INS, SPACING, WIDTH, ratio_of_means
 
 HEAD = """# Written by bench/accuracy_cost/draw.py from results.csv: what the key run.accuracy picks from. Not to be edited.
 # Errors are of the mean cutting force of one run (of three where runs = 3), relative to the reference; level: the most
@@ -144,6 +151,21 @@ def scene_lines(scene, root, rows, found):
         if entry := point(scene, root, row, rows, found):
             yield f"  {value_text(entry)},"
     yield "]"
+    if kind == "end_mill":
+        yield "windows = [ # against the whole pass in the same cells, from bench/windows/results.json; deg"
+        yield from (f"  {value_text(entry)}," for entry in windows(decks.si(deck["tool"]["feed_per_tooth"])))
+        yield "]"
+
+
+def windows(chip):
+    found = json.loads((WINDOWS / "results.json").read_text())
+    measured = [(SPACING, one["run_in"], one) for one in found["windows"]]
+    finest = found["finer"]["whole"]["spacing"]  # that has a whole pass
+    measured += [(one["spacing"], RUN_INS[-1], one) for one in found["finer"]["windows"] if one["spacing"] == finest]
+    for spacing, run_in, one in measured:
+        rows = [row for row in one["windows"] if "whole_planar" in row]
+        ratio, error = ratio_of_means([(row["force_planar"], row["whole_planar"]) for row in rows])
+        yield {"chip_rows": 1e6 * chip / spacing, "run_in": float(run_in), "width": float(WIDTH), "error": ratio - 1, "standard_error": error}
 
 
 def value_text(value):

@@ -1,7 +1,7 @@
 """The section of docs/windows.md on smaller cells, and its picture."""
 import numpy
 
-from common import COLOURS, percent, ratio_of_means, save, smooth
+from common import COLOURS, RUN_INS, SPACING, percent, ratio_of_means, save, smooth
 import matplotlib.pyplot as plt
 
 FIRST, LAST = 150, 170  # deg, where the windows in large cells miss most
@@ -13,7 +13,7 @@ def at(windows, immersion):
 
 def coarse(found):
     """The windows in the cells of the committed deck, with the same run-in."""
-    return {"spacing": 4.0, **next(one for one in found["windows"] if one["run_in"] == 5)}
+    return {"spacing": SPACING, **next(one for one in found["windows"] if one["run_in"] == RUN_INS[-1])}
 
 
 def picture(found):

@@ -16,14 +16,14 @@ import re
 import subprocess
 import sys
 
+from common import RUN_INS, WIDTH
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 DECK = ROOT / "inputs" / "micro_milling_pass.toml"
 SCENE = ROOT / "inputs" / "micro_milling.toml"
 SCENE_WINDOWS = {"first": 10, "last": 170, "step": 20, "width": 4, "run_in": 8}  # deg
 RESULTS = ROOT / "results" / "windows"
-RUN_INS = (10, 5)  # deg; the first is long, so that it shows what a shorter one would have measured
-WIDTH = 6  # deg
 # One window alone, where the others differ most from the whole pass, with one key of it changed at a time: which of
 # them makes the difference.
 PROBES = {"probe_ahead": {"run_in": 10, "ahead": 21}, "probe_run_in": {"run_in": 40, "ahead": 7}}

@@ -2,6 +2,7 @@
 // give.
 #include "src/accuracy.hpp"
 #include "src/shape.hpp"
+#include "src/windows.hpp"
 #include "tests/src/scene_decks.hpp"
 #include "tests/support/run_program.hpp"
 #include <fmt/format.h>
@@ -207,8 +208,6 @@ TEST(Accuracy, refuses_decks_that_the_chart_says_nothing_about) {
   EXPECT_THAT(refusal(deck), HasSubstr("a tool of kind \"wall\""));
   deck = wedge_deck(), deck.tool.reset();
   EXPECT_THAT(refusal(deck), HasSubstr("this deck has no tool"));
-  deck = read_input("micro_milling_pass.toml"), deck.run.accuracy = 50;
-  EXPECT_THAT(refusal(deck), HasSubstr("windows scatter about the whole pass"));
 }
 
 TEST(Accuracy, the_shipped_chart_reads_and_has_choices) {
@@ -248,6 +247,41 @@ TEST(Accuracy, the_charts_own_settings_change_nothing_in_its_deck) {
         same += list_changes(deck, put_settings(deck, cut, p)).empty();
     EXPECT_GE(same, 1) << chart.deck; // the base of the sweep
   }
+}
+
+// Windows add their own error, and take a share of the time.
+TEST(Accuracy, takes_windows_where_the_deck_has_them_and_the_error_allows) {
+  const std::string windows =
+      "]\nwindows = [ { chip_rows = 2.5, run_in = 5, width = 6, error = -0.1, standard_error = 0.04 },\n"
+      "  { chip_rows = 5.0, run_in = 5, width = 6, error = -0.03, standard_error = 0.02 } ";
+  const auto charts = chart(
+      point("rough", 2, 0.2) + point("coarse", 2.5, 0.2) + point("fine", 6, 0.06) + windows, "end_mill");
+  Deck deck = read_input("micro_milling_pass.toml");
+  const auto picked = [&](double asked) {
+    deck.run.accuracy = asked;
+    const AccuracyPlan plan = plan_accuracy(deck, charts);
+    if (plan.picked < 0) return std::string("none");
+    const Choice& choice = plan.choices[plan.picked];
+    EXPECT_EQ(planned_deck(deck, plan).windows, choice.windows ? deck.windows : std::nullopt);
+    return choice.point->label + (choice.windows ? " in windows" : "");
+  };
+  EXPECT_EQ(picked(34.5), "coarse in windows"); // 20 % + 10 % + 4 %
+  EXPECT_EQ(picked(33), "rough");             // less than the measured across the chip: as a whole only
+  EXPECT_EQ(picked(11.5), "fine in windows");
+  EXPECT_EQ(picked(10), "fine");
+  EXPECT_EQ(picked(5), "none");
+  deck.run.accuracy = 11.5;
+  const AccuracyPlan plan = plan_accuracy(deck, charts);
+  const Choice& choice = plan.choices[plan.picked];
+  EXPECT_NEAR(choice.core_seconds / predict_core_seconds(choice.deck, plan.cut, *choice.point),
+              effort_in_windows(choice.deck), 1e-12);
+  EXPECT_THAT(
+      planned_deck(deck, plan).picked->why,
+      HasSubstr("in windows, whose mean differs from the whole pass by -3.0 % +- 2.0 % with 5 particles"));
+  deck.windows->run_in = 4 * degree;
+  EXPECT_EQ(picked(34.5), "rough");
+  deck.windows.reset();
+  EXPECT_EQ(picked(11.5), "fine");
 }
 
 // The whole scene has no periodic slice: its depth stays, and the cells become cubes of the chart's spacing.
