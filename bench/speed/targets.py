@@ -35,9 +35,10 @@ def measured(results):
     start = results.all.get("start_up", {}).get("2")
     yield "start of `inputs/micro_milling.toml` to its first step, 2 threads", 10, " s", True, start and start["seconds"]
     for size in (1_000_000, 4_000_000):
-        row = results.get("step, particles", size, 1)
-        yield (f"memory at {size_text(size)} particles, lists and images included", 600, " bytes a particle", True,
-               row and row.get("most_resident", 0) / row["items"])
+        for bits, word in ((64, "double"), (32, "float")):
+            row = results.get("step, particles", size, 1, bits)
+            yield (f"memory at {size_text(size)} particles in {word}, lists and images included", 600, " bytes a particle",
+                   True, row and row.get("most_resident", 0) / row["items"])
 
 
 def rows(results):

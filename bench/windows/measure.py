@@ -28,7 +28,7 @@ RESULTS = ROOT / "results" / "windows"
 # them makes the difference.
 PROBES = {"probe_ahead": {"run_in": 10, "ahead": 21}, "probe_run_in": {"run_in": 40, "ahead": 7}}
 PROBED = 150  # deg
-SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"
+SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"  # of SCENE too
 PARTS = {"asleep": {"sleep": {"distance": SLEEP_DISTANCE}},
          "retired": {"sleep": {"distance": SLEEP_DISTANCE}, "retire": {"distance": RETIRE_DISTANCE}}}
 CUTTING = "tooth1_"  # with a helix the tooth before still leaves while this one enters: a window has not that one
@@ -38,6 +38,7 @@ BIN = 1.0  # deg
 def write_deck(name, deck, sections):
     RESULTS.mkdir(parents=True, exist_ok=True)
     text = re.sub(r"\n\[windows\].*", "", deck.read_text(), flags=re.S)
+    text = re.sub(r"\n\[sleep\]\n(.+\n)*", "", text)
     file = RESULTS / f"{name}.toml"
     for section, keys in sections.items():
         text += f"\n[{section}]\n" + "".join(f'{key} = "{value}"\n' for key, value in keys.items())
