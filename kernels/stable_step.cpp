@@ -1,6 +1,7 @@
 // Courant's condition at Courant number 1: h / c' for a particle, the hex's characteristic length / c' for a
 // hex, c' = c / sqrt(mass factor) the wave speed of the scaled mass; less where viscosity or stiffness
 // against hourglass modes ask it. Minima are exact in any order of threads.
+#include "cell_order.hpp"
 #include "swarf/heat.hpp"
 #include "swarf/hex8.hpp"
 #include "swarf/kernels.hpp"
@@ -45,12 +46,38 @@ KOKKOS_INLINE_FUNCTION Real step_of_pair_terms(const ParticleMethod& m, const Ma
 
 using MinStep = Kokkos::MinLoc<Real, int>;
 
+// The two largest displacements since the lists were built: a pair comes nearer by no more than both, and a
+// fragment that flies alone by little more than its own. Images count, for a mirror's comes to meet its
+// particle. (Ties: whichever row is taken, the other has as much.)
+Real largest_approach(const Particles& p, const Neighbors& n) {
+  const VectorField position = p.position, build = n.build_position;
+  const SeenRows moving{p.count + p.tied, p.stored, p.total};
+  using Farthest = Kokkos::MaxLoc<Real, int>;
+  Farthest::value_type farthest;
+  Kokkos::parallel_reduce(
+      "farthest", Range(0, moving.count()),
+      KOKKOS_LAMBDA(int k, Farthest::value_type& far) {
+        const Vector3 d = load_vector(position, moving(k)) - load_vector(build, moving(k));
+        if (dot(d, d) > far.val) far.val = dot(d, d), far.loc = k;
+      },
+      Farthest(farthest));
+  const int but = farthest.loc;
+  Real next2 = 0;
+  Kokkos::parallel_reduce(
+      "farthest_but_one", Range(0, moving.count()),
+      KOKKOS_LAMBDA(int k, Real& far) {
+        const Vector3 d = load_vector(position, moving(k)) - load_vector(build, moving(k));
+        if (k != but) far = Kokkos::max(far, dot(d, d));
+      },
+      Kokkos::Max<Real>(next2));
+  return Kokkos::sqrt(Kokkos::max(farthest.val, Real(0))) + Kokkos::sqrt(Kokkos::max(next2, Real(0)));
+}
+
 StableStep stable_step(const Particles& p, const Neighbors& n, const MaterialTable& materials,
                        const ParticleMethod& method) {
   StableStep result;
   if (p.count == 0) return result;
   MinStep::value_type least;
-  const auto build = n.build_position;
   const MaterialPoints points = p.points;
   const bool initial_frame = p.deformation_gradient.extent(0) > 0;
   Kokkos::parallel_reduce(
@@ -63,15 +90,7 @@ StableStep stable_step(const Particles& p, const Neighbors& n, const MaterialTab
         if (own < dt.val || (own == dt.val && i < dt.loc)) dt.val = own, dt.loc = i;
       },
       MinStep(least));
-  Real moved2 = 0;
-  Kokkos::parallel_reduce(
-      "max_displacement", Range(0, p.count + p.tied),
-      KOKKOS_LAMBDA(int i, Real& far) {
-        const Vector3 d = load_vector(p.position, i) - load_vector(build, i);
-        far = Kokkos::max(far, dot(d, d));
-      },
-      Kokkos::Max<Real>(moved2));
-  return {least.val, least.loc, Kokkos::sqrt(moved2)};
+  return {least.val, least.loc, largest_approach(p, n)};
 }
 
 StableStep stable_step(const HexMesh& m, const MaterialTable& materials, const HexMethod& set) {

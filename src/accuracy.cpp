@@ -76,9 +76,10 @@ std::string explain(const AccuracyPlan& plan) {
       100 * plan.asked);
   if (plan.picked == 0) return text;
   const Choice& before = plan.choices[plan.picked - 1];
-  return text + fmt::format("; the next cheaper, \"{}\", takes {:.2g} of its time and errs by up to {:.1f} %",
-                            before.point->label, before.core_seconds / choice.core_seconds,
-                            100 * level_of(before, *plan.chart));
+  return text +
+         fmt::format("; the next cheaper, \"{}\"{}, takes {:.2g} of its time and errs by up to {:.1f} %",
+                     before.point->label, before.windows ? " in windows" : "",
+                     before.core_seconds / choice.core_seconds, 100 * level_of(before, *plan.chart));
 }
 
 } // namespace
@@ -99,6 +100,8 @@ AccuracyPlan plan_accuracy(const Deck& deck, const std::vector<AccuracyChart>& c
   for (const AccuracyChart& chart : charts)
     if (chart.tool == deck.tool->kind) plan.chart = &chart;
   if (!plan.chart) refuse_accuracy(deck, "nothing was measured with this tool. Remove this key");
+  const int windows = deck.windows ? int(cut_windows(deck, *deck.windows).size()) : 0;
+  const bool may_be_whole = !deck.windows || deck.windows->line > 0;
   std::string obstacle = "no settings were measured at several spacings";
   for (const ChartPoint& point : plan.chart->points) {
     if (point.runs > 1 || !point.level) continue;
@@ -109,9 +112,13 @@ AccuracyPlan plan_accuracy(const Deck& deck, const std::vector<AccuracyChart>& c
     }
     Deck with = put_settings(deck, plan.cut, point);
     const double core_seconds = predict_core_seconds(with, plan.cut, point);
-    if (const WindowsPoint* windows =
-            deck.windows ? find_windows(point, *plan.chart, *deck.windows) : nullptr)
-      plan.choices.push_back({&point, windows, with, core_seconds * effort_in_windows(with)});
+    if (const WindowsPoint* added =
+            windows > 0 ? find_windows(point, *plan.chart, *deck.windows, windows) : nullptr)
+      plan.choices.push_back({&point, added, with, core_seconds * effort_in_windows(with)});
+    if (!may_be_whole) {
+      obstacle = "windows like these were not measured against the whole pass";
+      continue;
+    }
     with.windows.reset();
     plan.choices.push_back({&point, nullptr, with, core_seconds});
   }

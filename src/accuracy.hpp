@@ -24,9 +24,9 @@ struct AccuracyPlan {
 double level_of(const ChartPoint& point, const AccuracyChart& chart);
 double level_of(const Choice& choice, const AccuracyChart& chart);
 
-// A deck with [windows] leaves open whether the pass runs as a whole. Throws DeckError for decks that the
-// chart says nothing about. The same deck always gives the same plan: a run that is resumed has the settings
-// that it began with.
+// A deck with [windows] leaves open whether the pass runs as a whole; --windows does not. Throws DeckError
+// for decks that the chart says nothing about. The same deck always gives the same plan: a run that is
+// resumed has the settings that it began with.
 AccuracyPlan plan_accuracy(const Deck& deck, const std::vector<AccuracyChart>& charts = accuracy_charts());
 
 // The picked deck, which says in `picked` what was set and why; throws DeckError, with what is possible, if

@@ -35,9 +35,13 @@ ChartPoint read_point(const toml::table& table) {
 }
 
 WindowsPoint read_windows(const toml::table& table) {
-  const double degree = std::numbers::pi / 180;
-  return {get<double>(table, "chip_rows"), degree * get<double>(table, "run_in"),
-          degree * get<double>(table, "width"), get<double>(table, "error"),
+  const auto angle = [&](const char* key) { return std::numbers::pi / 180 * get<double>(table, key); };
+  return {get<double>(table, "chip_rows"),
+          get<int>(table, "count"),
+          angle("run_in"),
+          angle("width"),
+          angle("ahead"),
+          get<double>(table, "error"),
           get<double>(table, "standard_error")};
 }
 

@@ -28,8 +28,9 @@ struct ChartPoint {
 // Windows of a pass (src/windows.hpp) against the whole pass in the same cells (docs/windows.md): the mean
 // force over the windows.
 struct WindowsPoint {
-  double chip_rows = 0;         // particles across the uncut chip
-  double run_in = 0, width = 0; // rad
+  double chip_rows = 0;                    // particles across the uncut chip
+  int count = 0;                           // windows, spread over the pass
+  double run_in = 0, width = 0, ahead = 0; // rad
   double error = 0, standard_error = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace swarf {
 namespace {
@@ -168,12 +169,14 @@ std::string find_obstacle(const ChartPoint& point, const AccuracyChart& chart, c
 }
 
 const WindowsPoint* find_windows(const ChartPoint& point, const AccuracyChart& chart,
-                                 const WindowsDeck& windows) {
+                                 const WindowsDeck& windows, int count) {
   const WindowsPoint* found = nullptr;
   const double little = 1e-9;
+  const auto rank = [](const WindowsPoint& one) { return std::tuple(one.chip_rows, one.run_in, one.width); };
   for (const WindowsPoint& one : chart.windows)
-    if (one.chip_rows <= point.chip_rows * (1 + 1e-3) && one.run_in <= windows.run_in + little &&
-        one.width <= windows.width + little && (!found || one.chip_rows >= found->chip_rows))
+    if (one.chip_rows <= point.chip_rows * (1 + 1e-3) && one.count <= count &&
+        one.run_in <= windows.run_in + little && one.width <= windows.width + little &&
+        one.ahead <= windows.ahead + little && (!found || rank(one) > rank(*found)))
       found = &one;
   return found;
 }

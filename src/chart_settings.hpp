@@ -28,10 +28,10 @@ Cut find_cut(const Deck& deck);
 // "" or why the point's settings have no meaning in this deck.
 std::string find_obstacle(const ChartPoint& point, const AccuracyChart& chart, const Cut& cut);
 
-// What windows add to the error of the point: as measured with no more particles across the chip, nor longer
-// a run-in or measurement; null where that was not measured.
+// What `count` windows add to the error of the point: as measured with no more particles across the chip, no
+// more windows, and run-in, measurement and material ahead no longer; null where that was not measured.
 const WindowsPoint* find_windows(const ChartPoint& point, const AccuracyChart& chart,
-                                 const WindowsDeck& windows);
+                                 const WindowsDeck& windows, int count);
 
 // The deck with the point's settings, without run.accuracy. Bodies keep their sizes but along a periodic
 // slice, which becomes a whole number of spacings; the tool along it, and the force scale, follow.

@@ -151,15 +151,17 @@ int check_deck(const std::string& file) {
   found.line("predicted run time", "{:.3g} s ({:.3g} h)", steps * per_step, steps * per_step / 3600);
   if (deck.windows) {
     const double effort = effort_in_windows(deck);
-    found.line("the same in windows", "{} windows, {:.3g} s ({:.1f} %)",
-               cut_windows(deck, *deck.windows).size(), effort * steps * per_step, 100 * effort);
+    found.line("the same in windows", "{} windows, {}{:.3g} s ({:.1f} %)",
+               cut_windows(deck, *deck.windows).size(), deck.sleep.distance ? "at least " : "",
+               effort * steps * per_step, 100 * effort);
   }
   found.line("memory", "{:.0f} MiB", double(usage.ru_maxrss) / 1024);
   check_cutting(deck, scene, found);
   check_inertia(deck, found);
   if (plan) {
     compare_scene(deck, *plan, found);
-    fmt::print("{}{}", show_choices(*plan, core_seconds / plan->choices[plan->picked].core_seconds),
+    const double share = deck.windows ? effort_in_windows(deck) : 1;
+    fmt::print("{}{}", show_choices(*plan, share * core_seconds / plan->choices[plan->picked].core_seconds),
                show_pick(deck));
   }
   fmt::print("{}\n", found.warnings == 0 ? "fit to run" : fmt::format("{} warning(s)", found.warnings));

@@ -122,7 +122,8 @@ const Keys<RunDeck>& run_keys() {
        "the place of what the deck has for body.spacing and cells, the thickness of a periodic slice with "
        "the "
        "tool's extent and output.force_scale, body.tie, courant, mass_factor, sleep.distance and [particles] "
-       "but skin. Needs a wedge and blocks, or an end mill and rings"},
+       "but skin; [windows] are left out where the whole pass is the better choice. Needs a wedge and "
+       "blocks, or an end mill and rings"},
       {"threads", &R::threads, D::none, Range{0, 4096}, "0", always, "of the computation; 0: all cores"},
       {"gravity", &R::gravity, D::acceleration, any, R"(["0 m/s2", "0 m/s2", "0 m/s2"])", always,
        "acts on all bodies"},

@@ -181,7 +181,8 @@ int run_deck(const Deck& deck, const RunOptions& options) {
         left.met, left.all);
   if (exit_status == 3) fmt::print(stderr, "swarf: {}\n", ended);
   if (exit_status == 130)
-    fmt::print("interrupted; continue with: swarf run {} --output {} --resume\n", options.deck, where);
+    fmt::print("interrupted; continue with: swarf run {}{} --output {} --resume\n", options.deck,
+               options.whole ? " --whole" : "", where);
   if (options.pictures && exit_status != 130) draw_all(where);
   return exit_status;
 }

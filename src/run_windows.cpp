@@ -191,9 +191,9 @@ class WindowsRun {
     }
     if (const double scatter = scatter_between(immersion, force); !std::isnan(scatter))
       fmt::print("windows scatter by {:.3f} N about a sine: an error of each besides its own\n", scatter);
-    fmt::print("{:.0f} core-seconds; the whole pass is predicted to take {:.0f}{}\nresults: {}\n",
-               core_seconds, predict_whole_pass(whole, results),
-               whole.sleep.distance ? " if nothing sleeps" : "", folder.table().string());
+    fmt::print("{:.0f} core-seconds; the whole pass is predicted to take {}{:.0f}\nresults: {}\n",
+               core_seconds, whole.sleep.distance ? "at most, for more of it sleeps, " : "",
+               predict_whole_pass(whole, results), folder.table().string());
     if (unfinished.empty()) return;
     std::fflush(stdout);
     fmt::print(stderr,

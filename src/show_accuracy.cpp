@@ -53,7 +53,7 @@ std::string show_choices(const AccuracyPlan& plan, double scale) {
   return text +
          fmt::format(
              "  at most: error and standard error here and at all finer spacings; no less than the {:.1f} "
-             "% that the reference is known to\n",
+             "% that the reference is known to; in windows, what these miss on top\n",
              100 * plan.chart->uncertainty);
 }
 

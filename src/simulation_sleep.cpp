@@ -99,14 +99,17 @@ void Simulation::rest() {
 }
 
 // Until the action is looked for again the tool may travel a quarter of what is near to it, the rest being
-// for the gap at which it touches; and what moves fastest a quarter of the distance to which all around it is
-// awake, but no farther than what has retired is looked for.
+// for the gap at which it touches; and what moves fastest, a fragment then, a quarter of the distance to
+// which all around it is awake. Without a tool a wave runs ahead of the points that it moves: these may go as
+// far as the action is known to. What has retired is looked for a spacing around.
 void Simulation::plan_rest(double speed) {
   if (!deck.sleep.distance) return;
   const Sleep s = sleep_of();
   const double elapsed = now - rested_at + step_size * double(next_check - steps); // at the next check
-  const bool tool_came = model.tool.facets > 0 && driving_speed * elapsed >= 0.25 * double(s.near);
-  const double way = std::min(0.25 * double(s.distance), deck.retire.distance ? model.spacing : HUGE_VAL);
+  const bool has_tool = model.tool.facets > 0;
+  const bool tool_came = has_tool && driving_speed * elapsed >= 0.25 * double(s.near);
+  double way = has_tool ? 0.25 * double(s.distance) : double(s.cell);
+  if (model.spacing > 0 && (deck.retire.distance || !has_tool)) way = std::min(way, model.spacing);
   rest_due = tool_came || speed * elapsed >= way;
   lists_due = lists_due || (rest_due && model.particles.stored > 0);
 }

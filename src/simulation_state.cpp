@@ -136,7 +136,7 @@ StableStep Simulation::limit_step() {
       hex_limit.limiter >= 0 && (particle_limit.limiter < 0 || hex_limit.dt < particle_limit.dt);
   step_limiter = fmt::format("{} {}", hexes_limit ? "hex" : "particle",
                              hexes_limit ? hex_limit.limiter : particle_limit.limiter);
-  hex_limit.max_displacement = particle_limit.max_displacement;
+  hex_limit.approach = particle_limit.approach;
   return hexes_limit ? hex_limit : particle_limit;
 }
 
@@ -149,7 +149,7 @@ void Simulation::check() {
     heat_step = double(std::min(stable_heat_step(model.particles, model.materials),
                                 stable_heat_step(model.hexes, model.materials)));
   const bool lists_age = model.particles.count > 0 && !particle_method.initial_frame;
-  const double room = 0.5 * double(lists.skin) - double(limit.max_displacement);
+  const double room = 0.5 * (double(lists.skin) - double(limit.approach)); // of each of a pair
   if (lists_age && room < 0) fail(Fault::skin_exceeded, "");
   of_particles = sum_particles(model.particles, Real(mass_factor));
   of_hexes = sum_hexes(model.hexes, Real(mass_factor));

@@ -206,7 +206,7 @@ Window Cutter::cut(double centre) const {
   window.uncut_chip = find_uncut_chip(centre);
 
   Deck& deck = window.deck = whole;
-  deck.windows.reset();
+  deck.windows.reset(), deck.picked.reset();
   deck.title += fmt::format(", window at {:.6g} deg", centre / degree);
   const Start start = find_start(window.from);
   const double end = line(pi / 2 - motion.about_ring(window.to + windows.ahead), -1);

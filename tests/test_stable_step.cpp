@@ -16,7 +16,7 @@ HexMethod bare_hexes(Real mass_factor) {
   return method;
 }
 
-// h sqrt(mass factor) / c of the finest particle, and how far the farthest one has moved.
+// h sqrt(mass factor) / c of the finest particle, and how far the two farthest ones have moved together.
 TEST(StableStep, OfTheFinestParticle) {
   ParticleBlock b = particle_block(6, 5, 4, Real(1e-3));
   build_lists(b);
@@ -24,13 +24,17 @@ TEST(StableStep, OfTheFinestParticle) {
   h(17) = Real(0.7e-3);
   Kokkos::deep_copy(b.particles.smoothing_length, h);
   const auto x = host_copy(b.particles.position);
-  x(5, 1) += Real(3e-5), x(5, 2) -= Real(4e-5), x(9, 0) += Real(2e-5);
+  x(5, 1) += Real(3e-5), x(5, 2) -= Real(4e-5), x(9, 0) += Real(2e-5), x(30, 0) -= Real(1e-5);
   Kokkos::deep_copy(b.particles.position, x);
   b.method.mass_factor = 100;
   const StableStep step = stable_step(b.particles, b.neighbors, b.materials, b.method);
   EXPECT_NEAR(double(step.dt) / (0.7e-3 * 10 / wave_speed), 1, round_off);
   EXPECT_EQ(step.limiter, 17);
-  EXPECT_NEAR(double(step.max_displacement) / 5e-5, 1, 1e3 * round_off);
+  EXPECT_NEAR(double(step.approach) / 7e-5, 1, 1e3 * round_off);
+  x(9, 0) += Real(3e-5);
+  Kokkos::deep_copy(b.particles.position, x);
+  const StableStep both = stable_step(b.particles, b.neighbors, b.materials, b.method);
+  EXPECT_NEAR(double(both.approach) / 10e-5, 1, 1e3 * round_off);
 }
 
 // Waves run the faster through the initial lattice the more it is sheared: for a shear of 5, with J = 1, at

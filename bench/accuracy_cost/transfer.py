@@ -19,9 +19,10 @@ from reference import ENERGY
 
 WINDOWS = pathlib.Path(__file__).resolve().parents[1] / "windows"
 sys.path.append(str(WINDOWS))
-from common import RUN_INS, SPACING, WIDTH, ratio_of_means
+from common import AHEAD, RUN_INS, SPACING, WIDTH, ratio_of_means
 
-HEAD = """# Written by bench/accuracy_cost/draw.py from results.csv: what the key run.accuracy picks from. Not to be edited.
+HEAD = """# Written by bench/accuracy_cost/draw.py from results.csv, and from bench/windows/results.json: what the key
+# run.accuracy picks from. Not to be edited.
 # Errors are of the mean cutting force of one run (of three where runs = 3), relative to the reference; level: the most
 # that error and standard error come to together, here and at all finer spacings with the same settings. Where it is
 # missing the settings have run at one spacing only, or a finer one did not keep its energy.
@@ -163,9 +164,9 @@ def windows(chip):
     finest = found["finer"]["whole"]["spacing"]  # that has a whole pass
     measured += [(one["spacing"], RUN_INS[-1], one) for one in found["finer"]["windows"] if one["spacing"] == finest]
     for spacing, run_in, one in measured:
-        rows = [row for row in one["windows"] if "whole_planar" in row]
-        ratio, error = ratio_of_means([(row["force_planar"], row["whole_planar"]) for row in rows])
-        yield {"chip_rows": 1e6 * chip / spacing, "run_in": float(run_in), "width": float(WIDTH), "error": ratio - 1, "standard_error": error}
+        ratio, error = ratio_of_means([(row["force_planar"], row["whole_planar"]) for row in one["windows"]])
+        yield {"chip_rows": 1e6 * chip / spacing, "count": len(one["windows"]), "run_in": float(run_in),
+               "width": float(WIDTH), "ahead": float(AHEAD), "error": ratio - 1, "standard_error": error}
 
 
 def value_text(value):

@@ -141,7 +141,7 @@ def main():
     if options.quick:
         options.rounds = 1
     kept = Kept(options.build / "bench" / "measured", newest=max(p.stat().st_mtime for p in programs(options.build)))
-    begun, measured = time.time(), commit()  # the tree may change meanwhile
+    begun, measured = time.time(), kept.get("commit", commit)  # the tree may change meanwhile
     found = take_rounds(options, kept)
     start = {threads: kept.get(f"start-up-{threads}", lambda: start_up.measure(options.build / "swarf", threads))
              for threads in (() if options.quick else options.threads)}

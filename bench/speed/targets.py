@@ -38,7 +38,7 @@ def measured(results):
         for bits, word in ((64, "double"), (32, "float")):
             row = results.get("step, particles", size, 1, bits)
             yield (f"memory at {size_text(size)} particles in {word}, lists and images included", 600, " bytes a particle",
-                   True, row and row.get("most_resident", 0) / row["items"])
+                   True, row and row["most_resident"] / row["items"])
 
 
 def rows(results):

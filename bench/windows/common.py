@@ -11,7 +11,7 @@ import numpy
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 SPACING = 4.0  # um, of inputs/micro_milling_pass.toml across the chip
 RUN_INS = (10, 5)  # deg; the first is long, so that it shows what a shorter one would have measured
-WIDTH = 6  # deg, of a measurement
+WIDTH, AHEAD = 6, 7  # deg, of a measurement, and of the material after it
 COLOURS = ("#0072b2", "#d55e00")  # Okabe & Ito 2008
 
 

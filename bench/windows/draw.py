@@ -187,12 +187,22 @@ def write_cost(part, whole):
 
 
 def write_asleep(found):
-    whole, asleep = found["whole"], found["asleep"]
-    return ["## The whole pass with its far part asleep", "",
-            f"`[sleep] distance = \"{asleep['distance']}\"`: {100 * asleep['awake']:.0f} % of the particles were awake on the "
-            f"mean, near the tooth that cuts, and at both ends of the pass near the other one.{write_cost(asleep, whole)} "
-            f"{compare(asleep, whole)}; worst energy residual {100 * asleep['energy_residual']:.2f} % of the external work.",
-            ""]
+    whole, lines = found["whole"], ["## The whole pass with its far part asleep", ""]
+    for asleep in (found[name] for name in ("asleep", "asleep_nearer") if name in found):
+        lines += [f"- `[sleep] distance = \"{asleep['distance']}\"`: {100 * asleep['awake']:.0f} % of the particles were awake on "
+                  f"the mean, near the tooth that cuts, and at both ends of the pass near the other one."
+                  f"{write_cost(asleep, whole)} {compare(asleep, whole)}; worst energy residual "
+                  f"{100 * asleep['energy_residual']:.2f} % of the external work."]
+    if "asleep_nearer" in found:
+        lines += ["", f"The two against each other: {compare(found['asleep_nearer'], found['asleep'])}. If the border did this, "
+                  "the nearer one would do more. Passes of this coarse slice scatter: the force swings over more than a "
+                  "stretch, so that the standard errors are too small."]
+    return lines + [""]
+
+
+def write_origin(entry):
+    """Of entries that are older than the rest of results.json."""
+    return f" This is from {entry['from']}." if "from" in entry else ""
 
 
 def write_retired(found):
@@ -203,7 +213,7 @@ def write_retired(found):
              f"the mean.{write_cost(part, whole)} {compare(part, whole)}; worst energy residual "
              f"{100 * part['energy_residual']:.2f} % of the external work.", "",
              f"{left['particles']} particles left. Had they flown on in a straight line, {left['met_since']} of them would have "
-             f"met the tool or the work since, which the forces lack."]
+             f"met the tool or the work since, which the forces lack.{write_origin(part)}"]
     if "asleep" in found:
         lines += ["", f"Against the pass with only its far part asleep, at the same angles. {compare(part, found['asleep'])}."]
     return lines + [""]
@@ -216,9 +226,7 @@ def write_page(found):
              f"run to {whole['end']:.1f} deg so far: windows beyond that have nothing to be compared with")
     lines = ["# Windows against the whole pass", "",
              "Made by `bench/windows/run`; every number is from `bench/windows/results.json`. The scene is "
-             f"`{found['deck']}`: a periodic slice, so without a helix, in cells of 4 um. The whole pass: {state}. All runs of "
-             "the slice are from before the diffused pressure took the density along (commit 875491a), those of the whole scene "
-             "from after.", "",
+             f"`{found['deck']}`: a periodic slice, so without a helix, in cells of 4 um. The whole pass: {state}.", "",
              "![Force over immersion, and what the run-in does](windows.png)", "",
              "The lower picture compares force by force at the same angle, whatever the window's measurement is: where "
              "it has settled, the run-in is long enough.", ""]

@@ -50,7 +50,7 @@ def write(found):
     lines = ["## In smaller cells", "", "![Force over immersion in smaller cells](windows_finer.png)", "",
              "Where the chip is thin the windows in large cells miss most. Is it the chip that the whole pass brings along, "
              "or a lattice that puts hardly more than one particle across what is cut? The same windows (6 deg after 5 deg of "
-             f"run-in, Courant number {fine['courant']:g}) in smaller cells:", "",
+             f"run-in, Courant number {fine['courant']:g}) in smaller cells:" + (f" They are from {entry['from']}." if "from" in entry else ""), "",
              "| cells / um | " + " | ".join(f"uncut chip at {angle} deg, cells | force / N" for angle in (FIRST, LAST)) + " |",
              "|" + "---:|" * 5]
     for windows in (coarse(found), *entry["windows"]):

@@ -4,7 +4,7 @@ their forces: results.json beside this file. What it holds of runs that are not 
 
 usage: measure.py PROGRAM [--scene] [--only NAME] [--no-run]
 --scene: runs the whole scene too, hours: its windows, and its pass with the far part asleep on all cores
---only NAME: runs only that one of the parts "asleep" and "retired"
+--only NAME: runs only that one of the parts "asleep", "asleep_nearer" and "retired"
 --no-run: measures what has run, also an unfinished whole pass, or an interrupted part
 """
 import csv
@@ -16,7 +16,7 @@ import re
 import subprocess
 import sys
 
-from common import RUN_INS, WIDTH
+from common import AHEAD, RUN_INS, WIDTH
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -26,10 +26,14 @@ SCENE_WINDOWS = {"first": 10, "last": 170, "step": 20, "width": 4, "run_in": 8} 
 RESULTS = ROOT / "results" / "windows"
 # One window alone, where the others differ most from the whole pass, with one key of it changed at a time: which of
 # them makes the difference.
-PROBES = {"probe_ahead": {"run_in": 10, "ahead": 21}, "probe_run_in": {"run_in": 40, "ahead": 7}}
+PROBES = {"probe_ahead": {"run_in": 10, "ahead": 21}, "probe_run_in": {"run_in": 40, "ahead": AHEAD}}
 PROBED = 150  # deg
+# One window of the whole scene, its far part asleep, where it differs most from the pass, by its run-in in deg.
+SCENE_PROBES = {"scene_probe_8": 8, "scene_probe_28": 28}
+SCENE_PROBED = 90  # deg
 SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"  # of SCENE too
 PARTS = {"asleep": {"sleep": {"distance": SLEEP_DISTANCE}},
+         "asleep_nearer": {"sleep": {"distance": "48 um"}},
          "retired": {"sleep": {"distance": SLEEP_DISTANCE}, "retire": {"distance": RETIRE_DISTANCE}}}
 CUTTING = "tooth1_"  # with a helix the tooth before still leaves while this one enters: a window has not that one
 BIN = 1.0  # deg
@@ -46,9 +50,9 @@ def write_deck(name, deck, sections):
     return file
 
 
-def run_windows(program, name, deck, windows):
+def run_windows(program, name, deck, windows, **more):
     keys = {key: f"{value} deg" for key, value in windows.items()}
-    subprocess.run([program, "run", write_deck(name, deck, {"windows": keys}), "--output", RESULTS / name, "--threads", "1",
+    subprocess.run([program, "run", write_deck(name, deck, {**more, "windows": keys}), "--output", RESULTS / name, "--threads", "1",
                     "--no-pictures", "--resume"], check=True)
 
 
@@ -57,11 +61,14 @@ def run(program):
         return run_part(program, sys.argv[sys.argv.index("--only") + 1])
     for run_in in RUN_INS:
         run_windows(program, f"run_in_{run_in}", DECK,
-                    {"first": 10, "last": 170, "step": 20, "width": WIDTH, "run_in": run_in})
+                    {"first": 10, "last": 170, "step": 20, "width": WIDTH, "run_in": run_in, "ahead": AHEAD})
     for name, keys in PROBES.items():
         run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
+        for name, run_in in SCENE_PROBES.items():
+            one = {"first": SCENE_PROBED, "last": SCENE_PROBED, "run_in": run_in}
+            run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, **PARTS["asleep"])
         run_whole(program, "scene_pass", write_deck("scene_pass", SCENE, PARTS["asleep"]), os.cpu_count())
     for name in PARTS:
         run_part(program, name)
@@ -141,12 +148,12 @@ def measure_windows(run_in, whole):
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"], "windows": windows}
 
 
-def measure_probe(name):
+def measure_probe(name, keys):
     folder = RESULTS / name
     one = next(iter(json.loads((folder / "windows.json").read_text())["windows"].items()))
     samples = read_samples(folder / one[0])
-    return {**PROBES[name], "immersion": PROBED, "force_planar": one[1]["force_planar"],
-            "core_seconds": one[1]["core_seconds"], "bins": bins(samples)}
+    return {**keys, **{key: one[1][key] for key in ("immersion", "force_planar", "error_planar", "core_seconds")},
+            "bins": bins(samples)}
 
 
 def measure_part(name):
@@ -154,7 +161,7 @@ def measure_part(name):
     summary = json.loads((RESULTS / name / "summary.json").read_text())
     costs = read_costs(RESULTS / name)
     moved = sum(cost["particle_steps_per_second"] * cost["wall_seconds"] for cost in costs)
-    found = {"distance": SLEEP_DISTANCE, "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
+    found = {"distance": PARTS.get(name, PARTS["asleep"])["sleep"]["distance"], "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
              "wall_seconds": sum(cost["wall_seconds"] for cost in costs),
              "threads": sorted({cost["threads"] for cost in costs}),
              "peak_memory_bytes": max(cost["peak_memory_bytes"] for cost in costs),
@@ -203,7 +210,8 @@ def measure_pass():
         summary = json.loads((RESULTS / "whole" / "summary.json").read_text())
         found["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
                            "steps": summary["steps"]}
-    found["probes"] = [measure_probe(name) for name in PROBES if is_complete(RESULTS / name / f"window_{PROBED:03d}")]
+    found["probes"] = [measure_probe(name, keys) for name, keys in PROBES.items()
+                       if is_complete(RESULTS / name / f"window_{PROBED:03d}")]
     return found
 
 
@@ -221,6 +229,9 @@ def main():
         found["scene_pass"]["cutting"] = bins(read_samples(RESULTS / "scene_pass", CUTTING))
     if (RESULTS / "scene" / "windows.csv").exists():
         found["scene"] = measure_scene()
+    probes = [measure_probe(name, {"run_in": run_in}) for name, run_in in SCENE_PROBES.items()
+              if (RESULTS / name / "windows.json").exists()]
+    found |= {"scene_probes": probes} if probes else {}
     write_results(found)
 
 

@@ -53,6 +53,34 @@ def write_pass(found):
     return lines
 
 
+def write_probes(found):
+    """How the force of a window comes down to that of the pass as it turns on: what the run-in is for."""
+    probes = sorted(found["scene_probes"], key=lambda one: one["run_in"])
+    at, width = probes[0]["immersion"], found["scene"]["width"]
+    whole = found["scene_pass"]["cutting"]
+
+    def force(bins, middle):
+        inside = [k for k, angle in enumerate(bins["immersion"]) if abs(angle - middle) < 0.5 * width]
+        if len(inside) < width - 1:
+            return None
+        return numpy.hypot(*(numpy.mean([bins[axis][k] for k in inside]) for axis in ("force_x", "force_y")))
+
+    middles = [angle for angle in numpy.arange(at, 0, -width)[::-1] if force(probes[-1]["bins"], angle)]
+    lines = [f"### What the run-in does, at {at:g} deg", "",
+             f"The same window with its far part asleep as well (`[sleep] distance = \"{found['scene_pass']['distance']}\"`), "
+             f"after short and long run-in, in means over {width} deg while it turns, against the cutting tooth of the whole pass:",
+             "", "| immersion / deg | whole pass / N | " + " | ".join(f"run-in {one['run_in']} deg / N | difference" for one in probes)
+             + " |", "|" + "---:|" * (2 + 2 * len(probes))]
+    for angle in middles:
+        reference, cells = force(whole, angle), []
+        for one in probes:
+            value = force(one["bins"], angle)
+            cells.append(f"{value:.2f} | {percent(value / reference - 1)}" if value else " | ")
+        lines.append(f"| {angle:g} | {reference:.2f} | " + " | ".join(cells) + " |")
+    costs = " and ".join(f"{one['core_seconds']:.0f}" for one in probes)
+    return lines + ["", f"They took {costs} core-seconds.", ""]
+
+
 def write(found):
     scene = found["scene"]
     rows = scene["rows"]
@@ -78,4 +106,5 @@ def write(found):
                      f"{row['particles']} | {row['hexes']} | {row['steps']} | {row['core_seconds']:.0f} | "
                      f"{row['peak_memory_bytes'] / 2**20:.0f} | {100 * row['energy_residual']:.2f} % | "
                      f"{row['leaked_particles']} |")
-    return lines + [""]
+    lines.append("")
+    return lines + (write_probes(found) if {"scene_probes", "scene_pass"} <= found.keys() else [])

@@ -148,7 +148,7 @@ PointSums sum_hexes(const HexMesh&, Real mass_factor);
 struct StableStep {
   Real dt = 0; // s, at Courant number 1
   int limiter = -1;
-  Real max_displacement = 0; // since the lists were built, m
+  Real approach = 0; // m, that two particles may have come nearer by since the lists were built
 };
 StableStep stable_step(const Particles&, const Neighbors&, const MaterialTable&, const ParticleMethod&);
 StableStep stable_step(const HexMesh&, const MaterialTable&, const HexMethod&);

@@ -219,6 +219,7 @@ TEST(Accuracy, the_shipped_chart_reads_and_has_choices) {
     deck.run.accuracy = 1;
     const AccuracyPlan plan = plan_accuracy(deck);
     EXPECT_GE(plan.choices.size(), 2u) << tool; // spacings at least
+    EXPECT_EQ(found->windows.empty(), tool == "wedge");
   }
 }
 
@@ -251,12 +252,16 @@ TEST(Accuracy, the_charts_own_settings_change_nothing_in_its_deck) {
 
 // Windows add their own error, and take a share of the time.
 TEST(Accuracy, takes_windows_where_the_deck_has_them_and_the_error_allows) {
-  const std::string windows =
-      "]\nwindows = [ { chip_rows = 2.5, run_in = 5, width = 6, error = -0.1, standard_error = 0.04 },\n"
-      "  { chip_rows = 5.0, run_in = 5, width = 6, error = -0.03, standard_error = 0.02 } ";
-  const auto charts = chart(
-      point("rough", 2, 0.2) + point("coarse", 2.5, 0.2) + point("fine", 6, 0.06) + windows, "end_mill");
+  const auto windows = [](double rows, double error, double standard_error) {
+    return fmt::format("{{ chip_rows = {:.6f}, count = 9, run_in = 5.0, width = 6.0, ahead = 7.0, error = "
+                       "{:.6f}, standard_error = {:.6f} }},\n",
+                       rows, error, standard_error);
+  };
+  const auto charts = chart(point("rough", 2, 0.2) + point("coarse", 2.5, 0.2) + point("fine", 6, 0.06) +
+                                "]\nwindows = [\n" + windows(2.5, -0.1, 0.04) + windows(5, -0.03, 0.02),
+                            "end_mill");
   Deck deck = read_input("micro_milling_pass.toml");
+  const WindowsDeck nine = *deck.windows;
   const auto picked = [&](double asked) {
     deck.run.accuracy = asked;
     const AccuracyPlan plan = plan_accuracy(deck, charts);
@@ -266,22 +271,40 @@ TEST(Accuracy, takes_windows_where_the_deck_has_them_and_the_error_allows) {
     return choice.point->label + (choice.windows ? " in windows" : "");
   };
   EXPECT_EQ(picked(34.5), "coarse in windows"); // 20 % + 10 % + 4 %
-  EXPECT_EQ(picked(33), "rough");             // less than the measured across the chip: as a whole only
+  EXPECT_EQ(picked(33), "rough"); // fewer particles across the chip than were measured: as a whole only
   EXPECT_EQ(picked(11.5), "fine in windows");
   EXPECT_EQ(picked(10), "fine");
   EXPECT_EQ(picked(5), "none");
-  deck.run.accuracy = 11.5;
-  const AccuracyPlan plan = plan_accuracy(deck, charts);
-  const Choice& choice = plan.choices[plan.picked];
-  EXPECT_NEAR(choice.core_seconds / predict_core_seconds(choice.deck, plan.cut, *choice.point),
-              effort_in_windows(choice.deck), 1e-12);
-  EXPECT_THAT(
-      planned_deck(deck, plan).picked->why,
-      HasSubstr("in windows, whose mean differs from the whole pass by -3.0 % +- 2.0 % with 5 particles"));
-  deck.windows->run_in = 4 * degree;
-  EXPECT_EQ(picked(34.5), "rough");
+  deck.windows->run_in = 4 * degree; // less than was measured
+  EXPECT_EQ(picked(11.5), "fine");
+  deck.windows = nine, deck.windows->first = 30 * degree; // fewer
+  EXPECT_EQ(picked(11.5), "fine");
+  deck.windows->line = 0; // of the command line: the pass is not to run as a whole
+  EXPECT_THAT(refusal(deck, charts), HasSubstr("windows like these were not measured"));
+  deck.windows = nine, deck.windows->line = 0;
+  EXPECT_EQ(picked(33), "fine in windows");
   deck.windows.reset();
   EXPECT_EQ(picked(11.5), "fine");
+}
+
+TEST(Accuracy, says_what_windows_add_and_what_they_take) {
+  const auto charts =
+      chart(point("fine", 6, 0.06) +
+                "]\nwindows = [\n{ chip_rows = 5.0, count = 9, run_in = 5.0, width = 6.0, ahead "
+                "= 7.0, error = -0.03, standard_error = 0.02 },\n",
+            "end_mill");
+  Deck deck = read_input("micro_milling_pass.toml");
+  deck.run.accuracy = 11.5;
+  const AccuracyPlan plan = plan_accuracy(deck, charts);
+  ASSERT_EQ(plan.choices.size(), 2u);
+  const double share = plan.choices[0].core_seconds / plan.choices[1].core_seconds;
+  EXPECT_GT(share, 0.05); // nine windows turn some 20 of 190 deg each, in a tenth of the cells
+  EXPECT_LT(share, 0.15);
+  const Deck with = planned_deck(deck, plan);
+  EXPECT_THAT(with.picked->why, HasSubstr("in windows, whose mean differs from the whole pass by -3.0 % +- "
+                                          "2.0 % with 5 particles"));
+  for (const Window& window : cut_windows(with, *with.windows)) // a window's process knows of no accuracy
+    EXPECT_EQ(resolved_deck(window.deck).find("# accuracy"), std::string::npos);
 }
 
 // The whole scene has no periodic slice: its depth stays, and the cells become cubes of the chart's spacing.
