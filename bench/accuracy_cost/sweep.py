@@ -137,7 +137,8 @@ class Sweep:
     def best(self, scene):
         """The best settings, cheapest first, when every setting has been tried, or of those that have if that is
         asked for."""
-        singles = [point for point in points.points_of(scene) if self.options.full or not point.full]
+        singles = [point for point in points.points_of(scene) if (self.options.full or not point.full)
+                   and not point.label.startswith(points.CONVERTING)]  # that is another scene: it goes with no other setting
         rows = [row for point in singles if (row := self.row_of(point))]
         all_tried = len(rows) == len(singles)
         rows, scatter = reference.combine(rows, scene.spacing)
