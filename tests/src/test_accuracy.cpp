@@ -25,6 +25,14 @@ std::string point(const std::string& label, double rows, double level, const std
       label, rows, 60.0, level > 0 ? fmt::format("level = {:.6f},", level) : "", more);
 }
 
+// Nine windows, measured as the shipped pass has them.
+std::string windows_point(double rows, double error, double standard_error) {
+  return fmt::format(
+      "{{ chip_rows = {:.6f}, count = 9, run_in = 5.0, width = 6.0, ahead = 7.0, error = {:.6f}, "
+      "standard_error = {:.6f} }},\n",
+      rows, error, standard_error);
+}
+
 std::vector<AccuracyChart> chart(const std::string& points, const std::string& tool = "wedge") {
   return read_accuracy_charts(
       fmt::format("[{}]\ntitle = \"a cut\"\ndeck = \"cut.toml\"\nwhere = \"at the end\"\nuncertainty = 0.04\n"
@@ -252,14 +260,10 @@ TEST(Accuracy, the_charts_own_settings_change_nothing_in_its_deck) {
 
 // Windows add their own error, and take a share of the time.
 TEST(Accuracy, takes_windows_where_the_deck_has_them_and_the_error_allows) {
-  const auto windows = [](double rows, double error, double standard_error) {
-    return fmt::format("{{ chip_rows = {:.6f}, count = 9, run_in = 5.0, width = 6.0, ahead = 7.0, error = "
-                       "{:.6f}, standard_error = {:.6f} }},\n",
-                       rows, error, standard_error);
-  };
-  const auto charts = chart(point("rough", 2, 0.2) + point("coarse", 2.5, 0.2) + point("fine", 6, 0.06) +
-                                "]\nwindows = [\n" + windows(2.5, -0.1, 0.04) + windows(5, -0.03, 0.02),
-                            "end_mill");
+  const auto charts =
+      chart(point("rough", 2, 0.2) + point("coarse", 2.5, 0.2) + point("fine", 6, 0.06) + "]\nwindows = [\n" +
+                windows_point(2.5, -0.1, 0.04) + windows_point(5, -0.03, 0.02),
+            "end_mill");
   Deck deck = read_input("micro_milling_pass.toml");
   const WindowsDeck nine = *deck.windows;
   const auto picked = [&](double asked) {
@@ -289,10 +293,7 @@ TEST(Accuracy, takes_windows_where_the_deck_has_them_and_the_error_allows) {
 
 TEST(Accuracy, says_what_windows_add_and_what_they_take) {
   const auto charts =
-      chart(point("fine", 6, 0.06) +
-                "]\nwindows = [\n{ chip_rows = 5.0, count = 9, run_in = 5.0, width = 6.0, ahead "
-                "= 7.0, error = -0.03, standard_error = 0.02 },\n",
-            "end_mill");
+      chart(point("fine", 6, 0.06) + "]\nwindows = [\n" + windows_point(5, -0.03, 0.02), "end_mill");
   Deck deck = read_input("micro_milling_pass.toml");
   deck.run.accuracy = 11.5;
   const AccuracyPlan plan = plan_accuracy(deck, charts);
