@@ -26,6 +26,14 @@ inline SeenRows first_rows(int rows) { return {rows, rows, rows}; }
 
 CellGrid cell_grid(const VectorField& position, int rows, Real cell_size);
 
+// Place along a Hilbert curve.
+struct HilbertKeyOf {
+  CellGrid grid;
+  int bits;
+  SWARF_FN CellKey operator()(const Vector3& x) const { return hilbert_key(grid.index(x), bits); }
+};
+HilbertKeyOf hilbert_key_of(const VectorField& position, int rows, const CellGrid& grid);
+
 // Ascending keys; equal keys in the order of their rows. key_of(position) on the device.
 template <class KeyOf>
 KeyedRows sort_rows(const VectorField& position, const SeenRows& seen, const KeyOf& key_of) {
@@ -57,50 +65,6 @@ SWARF_FN int lower_bound(const KeyedRows& rows, int count, CellKey value) {
   return low;
 }
 
-// The cells of the action in groups, each with the box of its middles: find_action gives them line by line,
-// so that a box is small.
-struct ActionCells {
-  static constexpr int group = 16;
-  VectorField middle, low, high;
-  Real size = 0;
-};
-
-inline ActionCells group_cells(const VectorField& middle, Real size) {
-  const int rows = int(middle.extent(0)), groups = (rows + ActionCells::group - 1) / ActionCells::group;
-  const ActionCells cells{middle, VectorField("action_low", groups), VectorField("action_high", groups),
-                          size};
-  Kokkos::parallel_for(
-      "group_cells", Range(0, groups), KOKKOS_LAMBDA(int g) {
-        const int begin = g * ActionCells::group, end = Kokkos::min(begin + ActionCells::group, rows);
-        for (int d = 0; d < 3; ++d) {
-          Real low = cells.middle(begin, d), high = low;
-          for (int k = begin + 1; k < end; ++k)
-            low = Kokkos::min(low, cells.middle(k, d)), high = Kokkos::max(high, cells.middle(k, d));
-          cells.low(g, d) = low, cells.high(g, d) = high;
-        }
-      });
-  return cells;
-}
-
-// No more than from x to the action in the nearest of the cells; 0 where there are none, so that all move.
-SWARF_FN Real distance_to(const ActionCells& cells, const Vector3& x) {
-  const int rows = int(cells.middle.extent(0));
-  Real least = rows > 0 ? Kokkos::Experimental::infinity_v<Real> : Real(0);
-  for (int g = 0; g * ActionCells::group < rows; ++g) {
-    const Vector3 below = load_vector(cells.low, g) - x, above = x - load_vector(cells.high, g);
-    const Vector3 out{Kokkos::max(Kokkos::max(below.x, above.x), Real(0)),
-                      Kokkos::max(Kokkos::max(below.y, above.y), Real(0)),
-                      Kokkos::max(Kokkos::max(below.z, above.z), Real(0))};
-    if (!(dot(out, out) < least)) continue;
-    const int end = Kokkos::min((g + 1) * ActionCells::group, rows);
-    for (int k = g * ActionCells::group; k < end; ++k) {
-      const Vector3 d = x - load_vector(cells.middle, k);
-      least = Kokkos::min(least, dot(d, d));
-    }
-  }
-  return Kokkos::max(Kokkos::sqrt(least) - Real(0.5) * Kokkos::sqrt(Real(3)) * cells.size, Real(0));
-}
-
 // place(i): 1 where row i is taken, else 0; becomes its number among those taken, else -1. Returns how many.
 inline int number_taken(const IndexField& place) {
   int taken = 0;
@@ -115,14 +79,20 @@ inline int number_taken(const IndexField& place) {
   return taken;
 }
 
+// Row to(k) becomes what row from(k) was; both hold the same rows.
+struct Moves {
+  IndexField to, from;
+  int count() const { return int(to.extent(0)); }
+};
+
 // What permute copies to, for all fields of a sort. A few columns at a time: a copy of the widest field would
 // be the most memory that a run asks for.
 struct PermuteScratch {
   static constexpr std::size_t columns = 3;
   View<Real* [columns]> rows;
 
-  explicit PermuteScratch(const KeyedRows& from)
-      : rows(Kokkos::view_alloc(Kokkos::WithoutInitializing, "permute"), from.extent(0)) {}
+  explicit PermuteScratch(const Moves& moves)
+      : rows(Kokkos::view_alloc(Kokkos::WithoutInitializing, "permute"), moves.count()) {}
 
   template <class T, std::size_t width>
   auto of() const {
@@ -132,33 +102,30 @@ struct PermuteScratch {
   }
 };
 
-// Row i becomes what row from(i).row was.
 template <class T>
-void permute(const View<T*>& field, const KeyedRows& from, const PermuteScratch& scratch) {
+void permute(const View<T*>& field, const Moves& moves, const PermuteScratch& scratch) {
   if (field.extent(0) == 0) return;
-  const int rows = int(from.extent(0));
   const auto copy = scratch.of<T, 1>();
   Kokkos::parallel_for(
-      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) { copy(i, 0) = field(from(i).row); });
+      "permute", Range(0, moves.count()), KOKKOS_LAMBDA(int k) { copy(k, 0) = field(moves.from(k)); });
   Kokkos::parallel_for(
-      "permute", Range(0, rows), KOKKOS_LAMBDA(int i) { field(i) = copy(i, 0); });
+      "permute", Range(0, moves.count()), KOKKOS_LAMBDA(int k) { field(moves.to(k)) = copy(k, 0); });
 }
 
 template <class T, std::size_t columns>
-void permute(const View<T* [columns]>& field, const KeyedRows& from, const PermuteScratch& scratch) {
+void permute(const View<T* [columns]>& field, const Moves& moves, const PermuteScratch& scratch) {
   if (field.extent(0) == 0) return;
   constexpr std::size_t width = columns < PermuteScratch::columns ? columns : PermuteScratch::columns;
-  const int rows = int(from.extent(0));
   const auto copy = scratch.of<T, width>();
   for (std::size_t first = 0; first < columns; first += width) {
     const std::size_t taken = Kokkos::min(width, columns - first);
     Kokkos::parallel_for(
-        "permute", Range(0, rows), KOKKOS_LAMBDA(int i) {
-          for (std::size_t c = 0; c < taken; ++c) copy(i, c) = field(from(i).row, first + c);
+        "permute", Range(0, moves.count()), KOKKOS_LAMBDA(int k) {
+          for (std::size_t c = 0; c < taken; ++c) copy(k, c) = field(moves.from(k), first + c);
         });
     Kokkos::parallel_for(
-        "permute", Range(0, rows), KOKKOS_LAMBDA(int i) {
-          for (std::size_t c = 0; c < taken; ++c) field(i, first + c) = copy(i, c);
+        "permute", Range(0, moves.count()), KOKKOS_LAMBDA(int k) {
+          for (std::size_t c = 0; c < taken; ++c) field(moves.to(k), first + c) = copy(k, c);
         });
   }
 }

@@ -30,11 +30,11 @@ CellGrid fixed_grid(const VectorField& points, int rows, Real cell) {
   return grid;
 }
 
-// The middles of the cells that hold a point.
+// The middles of the cells that hold a point, along a Hilbert curve.
 VectorField thin_out(const VectorField& points, int rows, Real cell) {
   if (rows == 0) return VectorField("action", 0);
   const CellGrid grid = fixed_grid(points, rows, cell);
-  const KeyedRows sorted = sort_rows(points, first_rows(rows), RowKeyOf{grid});
+  const KeyedRows sorted = sort_rows(points, first_rows(rows), hilbert_key_of(points, rows, grid));
   VectorField kept("action", rows);
   int count = 0;
   Kokkos::parallel_scan(

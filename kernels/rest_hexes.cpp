@@ -1,13 +1,13 @@
 // Holds the nodes that are farther from the action than sleep.distance (sleep.hpp), and puts to sleep the
 // hexes whose nodes are all held. Nodes of a periodic pair are held together. What stops gives its kinetic
 // energy to external_work. Reads positions, connectivity, coupled_nodes; writes constraints, damping, active.
-#include "cell_order.hpp"
+#include "action_cells.hpp"
 
 namespace swarf {
 namespace {
 
 void hold_nodes(const HexMesh& m, const VectorField& action, const Sleep& s) {
-  const ActionCells cells = group_cells(action, s.cell);
+  const ActionCells cells = group_cells(action, s);
   Kokkos::parallel_for(
       "hold_nodes", Range(0, m.nodes), KOKKOS_LAMBDA(int a) {
         const Real d = distance_to(cells, load_vector(m.position, a));

@@ -2,12 +2,18 @@
 // rows: awake particles, awake tied ones, sleeping ones that a list may hold, those far from all and those
 // that have retired. What stops gives its kinetic energy to external_work, as at a fixed face. Writes
 // constraints, damping and the counts.
+#include "action_cells.hpp"
 #include "cell_order.hpp"
 
 namespace swarf {
 namespace {
 
-enum Rank : CellKey { awake, awake_tied, listed, far };
+enum Rank : int { awake, awake_tied, listed, far, ranks };
+constexpr int rank_shift = 40; // of a key; below it the place within the rank
+
+struct RankStarts {
+  int first[ranks + 1];
+};
 
 SWARF_FN void stop_particle(const Particles& p, int i, Real mass_factor) {
   const Vector3 v = load_vector(p.velocity, i);
@@ -24,16 +30,15 @@ SWARF_FN void still(const Particles& p, int i) {
   p.points.plastic_strain_rate(i) = 0;
 }
 
-// Particles keep their order, so that nothing changes where nothing sleeps; tied ones come back to theirs.
-KeyedRows rank_rows(const Particles& p, const VectorField& action, const Sleep& s) {
-  const KeyedRows order(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_order"), p.stored);
-  const ActionCells cells = group_cells(action, s.cell);
+// The rank that each row takes, and its place within: particles keep their order, so that nothing changes
+// where nothing sleeps; tied ones have theirs.
+View<CellKey*> rank_rows(const Particles& p, const VectorField& action, const Sleep& s) {
+  const View<CellKey*> key(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_key"), p.stored);
+  const ActionCells cells = group_cells(action, s);
   Kokkos::parallel_for(
       "rest_particles", Range(0, p.stored), KOKKOS_LAMBDA(int i) {
-        if (p.constraints(i) & retired_bit) {
-          order(i) = {(CellKey(far) << 40) | CellKey(i), i};
-          return;
-        }
+        key(i) = (CellKey(far) << rank_shift) | CellKey(i);
+        if (p.constraints(i) & retired_bit) return;
         const Real d = distance_to(cells, load_vector(p.position, i));
         const bool tied = p.identity(i) >= p.whole;
         const bool moves = d <= s.distance, is_awake = d <= s.distance + s.margin;
@@ -43,31 +48,56 @@ KeyedRows rank_rows(const Particles& p, const VectorField& action, const Sleep& 
         if (!is_awake) still(p, i);
         const Rank rank =
             is_awake ? (tied ? awake_tied : awake) : (d <= s.distance + s.margin + s.reach ? listed : far);
-        order(i) = {(CellKey(rank) << 40) | CellKey(tied ? p.identity(i) : i), i};
+        key(i) = (CellKey(rank) << rank_shift) | CellKey(tied ? p.identity(i) : i);
+      });
+  return key;
+}
+
+// What moves is in disorder among what does not: a look costs what changes, not what sleeps. Rows that are
+// not among those of their rank change places with one another, and all awake tied ones are put in order.
+Moves moves_between(const View<CellKey*>& key, const RankStarts& starts) {
+  const int rows = int(key.extent(0));
+  const IndexField place("rest_place", rows);
+  Kokkos::parallel_for(
+      "leave_rank", Range(0, rows), KOKKOS_LAMBDA(int i) {
+        const int rank = int(key(i) >> rank_shift);
+        place(i) = rank == awake_tied || i < starts.first[rank] || i >= starts.first[rank + 1] ? 1 : 0;
+      });
+  const int count = number_taken(place);
+  const Moves moves{IndexField("rest_to", count), IndexField("rest_from", count)};
+  const KeyedRows order("rest_order", count);
+  Kokkos::parallel_for(
+      "leave_rank", Range(0, rows), KOKKOS_LAMBDA(int i) {
+        if (place(i) >= 0) moves.to(place(i)) = i, order(place(i)) = {key(i), i};
       });
   Kokkos::sort(
       ExecSpace{}, order, KOKKOS_LAMBDA(const KeyedRow& a, const KeyedRow& b) { return a < b; });
-  return order;
+  Kokkos::parallel_for(
+      "leave_rank", Range(0, count), KOKKOS_LAMBDA(int k) { moves.from(k) = order(k).row; });
+  return moves;
 }
 
-int rows_before(const KeyedRows& order, Rank rank) {
+int rows_before(const View<CellKey*>& key, Rank rank) {
   int rows = 0;
   Kokkos::parallel_reduce(
-      "rows_before", Range(0, int(order.extent(0))),
-      KOKKOS_LAMBDA(int k, int& sum) { sum += (order(k).key >> 40) < CellKey(rank) ? 1 : 0; }, rows);
+      "rows_before", Range(0, int(key.extent(0))),
+      KOKKOS_LAMBDA(int k, int& sum) { sum += (key(k) >> rank_shift) < CellKey(rank) ? 1 : 0; }, rows);
   return rows;
 }
 
 } // namespace
 
 void rest_particles(Particles& p, const Tie& tie, const VectorField& action, const Sleep& s) {
-  const KeyedRows order = rank_rows(p, action, s);
-  const PermuteScratch scratch(order);
-  p.for_each_field([&](const char*, auto& field) { permute(field, order, scratch); });
-  p.for_each_pair_field([&](const char*, auto& field) { permute(field, order, scratch); });
-  p.count = rows_before(order, awake_tied);
-  p.tied = rows_before(order, listed) - p.count;
-  p.listed = rows_before(order, far);
+  const View<CellKey*> key = rank_rows(p, action, s);
+  const RankStarts starts{
+      {0, rows_before(key, awake_tied), rows_before(key, listed), rows_before(key, far), p.stored}};
+  const Moves moves = moves_between(key, starts);
+  const PermuteScratch scratch(moves);
+  p.for_each_field([&](const char*, auto& field) { permute(field, moves, scratch); });
+  p.for_each_pair_field([&](const char*, auto& field) { permute(field, moves, scratch); });
+  p.count = starts.first[awake_tied];
+  p.tied = starts.first[listed] - p.count;
+  p.listed = starts.first[far];
   p.points.count = p.count + p.tied;
   if (p.heat.extent(0) > 0) Kokkos::deep_copy(p.heat, Real(0)); // of the rows that were awake
   find_tied_rows(tie, p);

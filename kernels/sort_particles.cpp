@@ -20,12 +20,6 @@ CellGrid cell_grid(const VectorField& position, int rows, Real cell_size) {
 
 namespace {
 
-struct HilbertKey {
-  CellGrid grid;
-  int bits;
-  SWARF_FN CellKey operator()(const Vector3& x) const { return hilbert_key(grid.index(x), bits); }
-};
-
 // Bits that the index of the farthest cell takes.
 int bits_of(const VectorField& position, int rows, const CellGrid& grid) {
   CellKey last = 0;
@@ -39,16 +33,35 @@ int bits_of(const VectorField& position, int rows, const CellGrid& grid) {
   return int(std::bit_width(last));
 }
 
+// Rows [0, count) of the order that are not where they belong.
+Moves moves_to(const KeyedRows& order) {
+  const int rows = int(order.extent(0));
+  const IndexField place("moves_to_place", rows);
+  Kokkos::parallel_for(
+      "moves_to", Range(0, rows), KOKKOS_LAMBDA(int k) { place(k) = order(k).row != k ? 1 : 0; });
+  const int count = number_taken(place);
+  const Moves moves{IndexField("moves_to", count), IndexField("moves_from", count)};
+  Kokkos::parallel_for(
+      "moves_to", Range(0, rows), KOKKOS_LAMBDA(int k) {
+        if (place(k) >= 0) moves.to(place(k)) = k, moves.from(place(k)) = order(k).row;
+      });
+  return moves;
+}
+
 } // namespace
+
+HilbertKeyOf hilbert_key_of(const VectorField& position, int rows, const CellGrid& grid) {
+  return {grid, bits_of(position, rows, grid)};
+}
 
 void sort_particles(Particles& p, Real cell_size) {
   const CellGrid grid = cell_grid(p.position, p.count, cell_size);
-  const KeyedRows sorted =
-      sort_rows(p.position, first_rows(p.count), HilbertKey{grid, bits_of(p.position, p.count, grid)});
-  const PermuteScratch scratch(sorted);
-  p.for_each_field([&](const char*, auto& field) { permute(field, sorted, scratch); });
+  const Moves moves =
+      moves_to(sort_rows(p.position, first_rows(p.count), hilbert_key_of(p.position, p.count, grid)));
+  const PermuteScratch scratch(moves);
+  p.for_each_field([&](const char*, auto& field) { permute(field, moves, scratch); });
   if (p.damping.extent(0) > 0) // what falls asleep keeps them
-    p.for_each_pair_field([&](const char*, auto& field) { permute(field, sorted, scratch); });
+    p.for_each_pair_field([&](const char*, auto& field) { permute(field, moves, scratch); });
 }
 
 } // namespace swarf

@@ -1,6 +1,8 @@
 #include "support/box_tool.hpp"
 #include "support/particle_block.hpp"
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace swarf {
 namespace {
@@ -13,6 +15,9 @@ std::vector<Vector3> found(const test::ParticleBlock& b, const Tool& tool, const
       host_copy(with_images(find_action(b.particles, HexMesh{}, {tool, ToolPose{}}, s), maps));
   std::vector<Vector3> out;
   for (std::size_t k = 0; k < action.extent(0); ++k) out.push_back(load_vector(action, int(k)));
+  std::sort(out.begin(), out.end(), [](const Vector3& u, const Vector3& v) {
+    return std::tie(u.z, u.y, u.x) < std::tie(v.z, v.y, v.x);
+  });
   return out;
 }
 

@@ -87,6 +87,17 @@ TEST(GatherTieForces, ForceMomentAndPowerAreConserved) {
   EXPECT_NEAR(taken.power, given.power, round_off * given.power_size);
 }
 
+TEST(GatherTieForces, HeldNodesGetNone) {
+  const TiedBlock b = make_tied_block({3, 3, 3}, 500);
+  const auto bits = host_copy(b.hexes.constraints);
+  for (int a = 0; a < b.hexes.nodes; a += 2) bits(a) |= held_bit;
+  Kokkos::deep_copy(b.hexes.constraints, bits);
+  set_random(b.particles.force, 13);
+  gather_tie_forces(b.tie, b.particles, b.hexes);
+  const auto force = host_copy(b.hexes.force);
+  for (int a = 0; a < b.hexes.nodes; ++a) EXPECT_EQ(norm(load_vector(force, a)) == 0, a % 2 == 0) << a;
+}
+
 // The force of the hexes is there before: the tie adds to it.
 TEST(GatherTieForces, AddsToTheForceOfTheNodes) {
   const TiedBlock b = make_tied_block({3, 3, 3}, 10);

@@ -69,6 +69,47 @@ TEST(RestParticles, what_moves_feels_only_what_is_awake_and_what_is_awake_only_w
   EXPECT_GE(*seen.rbegin(), p.count);
 }
 
+// 600 cells: more than two levels of boxes hold 16 by 16 of.
+TEST(RestParticles, finds_the_nearest_of_many_cells_of_the_action) {
+  test::ParticleBlock b = moving_row();
+  const Sleep s = sleep_for(b, Real(2.2) * dx);
+  std::vector<Vector3> cells;
+  for (int k = 0; k < 600; ++k) cells.push_back({(k % 24) * dx, -(k * 7 % 13) * dx, (k * 5 % 11) * dx});
+  const VectorField action("action", cells.size());
+  const auto host = Kokkos::create_mirror_view(action);
+  for (int k = 0; k < 600; ++k) store_vector(host, k, cells[std::size_t(k)]);
+  Kokkos::deep_copy(action, host);
+  rest_particles(b.particles, Tie{}, action, s);
+  const auto x = host_copy(b.particles.position);
+  const auto bits = host_copy(b.particles.constraints);
+  int held = 0;
+  for (int i = 0; i < b.particles.stored; ++i) {
+    Real nearest = 1;
+    for (const Vector3& cell : cells) nearest = std::min(nearest, norm(load_vector(x, i) - cell));
+    EXPECT_EQ((bits(i) & held_bit) != 0, nearest > s.distance) << i;
+    EXPECT_EQ(i < b.particles.count, nearest <= s.distance + s.margin) << i;
+    EXPECT_EQ(i < b.particles.listed, nearest <= s.distance + s.margin + s.reach) << i;
+    held += (bits(i) & held_bit) != 0;
+  }
+  EXPECT_GT(held, 100);
+  EXPECT_LT(held, 600);
+}
+
+TEST(RestParticles, a_row_of_what_sleeps_on_is_left_where_it_is) {
+  test::ParticleBlock b = moving_row();
+  Particles& p = b.particles;
+  const Sleep s = sleep_for(b, 10 * dx);
+  rest_particles(p, Tie{}, action_at({39 * dx, 2 * dx, 2 * dx}), s);
+  std::vector<int> before;
+  for (int i = 0; i < p.stored; ++i) before.push_back(host_copy(p.identity)(i));
+  const int far = p.stored - p.listed;
+  rest_particles(p, Tie{}, action_at({37 * dx, 2 * dx, 2 * dx}), s);
+  int moved = 0;
+  for (int i = 0; i < p.stored; ++i) moved += before[std::size_t(i)] != host_copy(p.identity)(i);
+  EXPECT_LT(moved, far / 2);
+  EXPECT_GT(moved, 0);
+}
+
 TEST(RestParticles, the_energy_of_what_stops_leaves_by_external_work) {
   test::ParticleBlock b = moving_row();
   const Real factor = 100, before = energy(b.particles, factor);
