@@ -53,8 +53,8 @@ View<CellKey*> rank_rows(const Particles& p, const VectorField& action, const Sl
   return key;
 }
 
-// What moves is in disorder among what does not: a look costs what changes, not what sleeps. Rows that are
-// not among those of their rank change places with one another, and all awake tied ones are put in order.
+// Rows that are not among those of their rank change places with one another, and all awake tied ones are put
+// in order; the others stay, so that a look costs what changes, not what sleeps.
 Moves moves_between(const View<CellKey*>& key, const RankStarts& starts) {
   const int rows = int(key.extent(0));
   const IndexField place("rest_place", rows);

@@ -36,6 +36,19 @@ def ratio_of_means(pairs):
     return ratio, left.std(ddof=1) * math.sqrt(len(pairs)) / pairs[:, 1].sum()
 
 
+def compare(part, reference, of="bins"):
+    """Where both have been, in means over 10 deg: what the part changes in the force."""
+    part, reference = part[of], reference[of]
+    force = dict(zip(reference["immersion"], planar(reference)))
+    pairs = numpy.array([(value, force[angle]) for angle, value in zip(part["immersion"], planar(part))
+                         if 0 < angle < 180 and angle in force])
+    means = pairs[:len(pairs) // 10 * 10].reshape(-1, 10, 2).mean(axis=1)
+    ratio, error = ratio_of_means(means)
+    return (f"Mean force {percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of {len(means)} stretches "
+            f"of 10 deg, which differ by {100 * math.sqrt(((means[:, 0] / means[:, 1] - 1) ** 2).mean()):.0f} % (root mean "
+            f"square)")
+
+
 def save(figure, axes, name):
     for one in axes:
         one.spines[["top", "right"]].set_visible(False)

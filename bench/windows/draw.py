@@ -6,7 +6,7 @@ import pathlib
 
 import numpy
 
-from common import COLOURS, DOCS, percent, planar, ratio_of_means, save, smooth
+from common import COLOURS, DOCS, compare, percent, planar, ratio_of_means, save, smooth
 import finer_page
 import matplotlib.pyplot as plt
 import scene_page
@@ -163,18 +163,6 @@ def write_probes(found):
             "The same window with one key changed at a time: the material that goes on ahead of it, and the run-in.", "",
             "| run-in / deg | ahead / deg | planar force / N | against the whole pass | core-seconds |",
             "|---:|---:|---:|---:|---:|", *lines, ""]
-
-
-def compare(part, reference):
-    """Where both have been, in means over 10 deg: what the part changes in the force."""
-    force = dict(zip(reference["bins"]["immersion"], planar(reference["bins"])))
-    pairs = numpy.array([(value, force[angle]) for angle, value in zip(part["bins"]["immersion"], planar(part["bins"]))
-                         if 0 < angle < 180 and angle in force])
-    means = pairs[:len(pairs) // 10 * 10].reshape(-1, 10, 2).mean(axis=1)
-    ratio, error = ratio_of_means(means)
-    return (f"Mean force {percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of {len(means)} stretches "
-            f"of 10 deg, which differ by {100 * math.sqrt(((means[:, 0] / means[:, 1] - 1) ** 2).mean()):.0f} % (root mean "
-            f"square)")
 
 
 def write_cost(part, whole):

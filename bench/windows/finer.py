@@ -7,7 +7,6 @@ usage: finer.py PROGRAM [--no-run]
 import json
 import math
 import pathlib
-import re
 import subprocess
 import sys
 
@@ -21,7 +20,7 @@ COURANT = 0.45
 
 
 def deck_of(spacing, section):
-    text = re.sub(r"\n\[windows\].*", "", measure.DECK.read_text(), flags=re.S)
+    text = measure.read_whole_and_awake(measure.DECK)
     cut_zone, bulk = CELLS[spacing]
     for old, new in (("cells = [344, 3, 8]", f"cells = {cut_zone}"), ("cells = [172, 2, 6]", f"cells = {bulk}"),
                      ("courant = 0.3", f"courant = {COURANT}")):

@@ -39,10 +39,15 @@ CUTTING = "tooth1_"  # with a helix the tooth before still leaves while this one
 BIN = 1.0  # deg
 
 
+def read_whole_and_awake(deck):
+    """Its text without [windows], which is its end, and [sleep]"""
+    text = re.sub(r"\n\[windows\].*", "", deck.read_text(), flags=re.S)
+    return re.sub(r"\n\[sleep\]\n(.+\n)*", "", text)
+
+
 def write_deck(name, deck, sections):
     RESULTS.mkdir(parents=True, exist_ok=True)
-    text = re.sub(r"\n\[windows\].*", "", deck.read_text(), flags=re.S)
-    text = re.sub(r"\n\[sleep\]\n(.+\n)*", "", text)
+    text = read_whole_and_awake(deck)
     file = RESULTS / f"{name}.toml"
     for section, keys in sections.items():
         text += f"\n[{section}]\n" + "".join(f'{key} = "{value}"\n' for key, value in keys.items())
@@ -66,6 +71,7 @@ def run(program):
         run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
+        run_windows(program, "scene_asleep", SCENE, SCENE_WINDOWS, **PARTS["asleep"])
         for name, run_in in SCENE_PROBES.items():
             one = {"first": SCENE_PROBED, "last": SCENE_PROBED, "run_in": run_in}
             run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, **PARTS["asleep"])
@@ -177,8 +183,8 @@ def measure_part(name):
     return found
 
 
-def measure_scene():
-    folder = RESULTS / "scene"
+def measure_scene(name):
+    folder = RESULTS / name
     joined = json.loads((folder / "windows.json").read_text())
     with open(folder / "windows.csv", newline="") as file:
         rows = [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
@@ -227,8 +233,9 @@ def main():
             found[name] = measure_part(name)
     if "scene_pass" in found and (RESULTS / "scene_pass").exists():
         found["scene_pass"]["cutting"] = bins(read_samples(RESULTS / "scene_pass", CUTTING))
-    if (RESULTS / "scene" / "windows.csv").exists():
-        found["scene"] = measure_scene()
+    for name in ("scene", "scene_asleep"):
+        if (RESULTS / name / "windows.csv").exists():
+            found[name] = measure_scene(name)
     probes = [measure_probe(name, {"run_in": run_in}) for name, run_in in SCENE_PROBES.items()
               if (RESULTS / name / "windows.json").exists()]
     found |= {"scene_probes": probes} if probes else {}

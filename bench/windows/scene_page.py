@@ -1,7 +1,7 @@
 """The section of docs/windows.md on the whole scene, and its picture."""
 import numpy
 
-from common import COLOURS, percent, ratio_of_means, save, smooth
+from common import COLOURS, compare, percent, ratio_of_means, save, smooth
 import matplotlib.pyplot as plt
 
 CORES = 2
@@ -43,6 +43,11 @@ def write_pass(found):
              f"{' and '.join(map(str, whole['threads']))} threads; {hours(whole['core_seconds'])} if two cores shared it evenly), "
              f"{whole['peak_memory_bytes'] / 2**20:.0f} MiB, worst energy residual {100 * whole['energy_residual']:.2f} % of the "
              f"external work, {whole['leaked_particles']} leaked particles. The same pass without sleep has not been run.", ""]
+    if "scene_pass_before" in found:
+        before = found["scene_pass_before"]
+        lines += [f"How far two passes of this scene are apart by chance: one of commit {before['commit']}, the same physics with "
+                  f"other round-off, took {before['core_seconds']:.0f} core-seconds. This one against it: "
+                  f"{compare(whole, before, 'cutting')}.", ""]
     rows = [row for row in found["scene"]["rows"] if "whole_planar" in row]
     if len(rows) > 2:
         ratio, error = ratio_of_means([(row["force_planar"], row["whole_planar"]) for row in rows])
@@ -81,6 +86,26 @@ def write_probes(found):
     return lines + ["", f"They took {costs} core-seconds.", ""]
 
 
+def write_sleep(found):
+    """What sleep alone does to the windows: they have the same run-in with it and without."""
+    awake, asleep = ({row["immersion"]: row for row in found[name]["rows"]} for name in ("scene", "scene_asleep"))
+    both = sorted(awake.keys() & asleep.keys())
+    ratio, error = ratio_of_means([(asleep[at]["force_planar"], awake[at]["force_planar"]) for at in both])
+    costs = [sum(rows[at]["core_seconds"] for at in both) for rows in (asleep, awake)]
+    lines = ["### What sleep does", "",
+             f"The same windows with their far part asleep (`[sleep] distance = \"{found['scene_pass']['distance']}\"`, as in the "
+             f"deck): the mean force of the {len(both)} differs by {percent(ratio - 1)}, standard error {100 * error:.1f} % from "
+             f"their scatter, for {costs[0]:.0f} core-seconds instead of {costs[1]:.0f}.", "",
+             "| immersion / deg | asleep / N | standard error / N | awake / N | difference | core-seconds | awake |",
+             "|" + "---:|" * 7]
+    for at in both:
+        one, other = asleep[at], awake[at]
+        lines.append(f"| {at:g} | {one['force_planar']:.2f} | {one['error_planar']:.2f} | {other['force_planar']:.2f} | "
+                     f"{percent(one['force_planar'] / other['force_planar'] - 1)} | {one['core_seconds']:.0f} | "
+                     f"{other['core_seconds']:.0f} |")
+    return lines + [""]
+
+
 def write(found):
     scene = found["scene"]
     rows = scene["rows"]
@@ -107,4 +132,5 @@ def write(found):
                      f"{row['peak_memory_bytes'] / 2**20:.0f} | {100 * row['energy_residual']:.2f} % | "
                      f"{row['leaked_particles']} |")
     lines.append("")
+    lines += write_sleep(found) if {"scene_asleep", "scene_pass"} <= found.keys() else []
     return lines + (write_probes(found) if {"scene_probes", "scene_pass"} <= found.keys() else [])
