@@ -3,7 +3,8 @@
 // that have retired. What stops gives its kinetic energy to external_work, as at a fixed face. Writes
 // constraints, damping and the counts.
 #include "action_cells.hpp"
-#include "cell_order.hpp"
+#include "append_points.hpp"
+#include "point_grid.hpp"
 
 namespace swarf {
 namespace {
@@ -30,18 +31,47 @@ SWARF_FN void still(const Particles& p, int i) {
   p.points.plastic_strain_rate(i) = 0;
 }
 
+ScalarField distances(const Particles& p, const VectorField& action, const Sleep& s) {
+  const ScalarField d(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_distance"), p.stored);
+  const ActionCells cells = group_cells(action, s);
+  Kokkos::parallel_for(
+      "rest_distance", Range(0, p.stored),
+      KOKKOS_LAMBDA(int i) { d(i) = distance_to(cells, load_vector(p.position, i)); });
+  return d;
+}
+
+// Tied particles in hexes of which a node may move, though they lie beyond what moves.
+struct IsCarried {
+  Particles p;
+  ScalarField d;
+  Sleep s;
+  SWARF_FN bool operator()(int i) const {
+    return p.identity(i) >= p.whole && d(i) > s.distance && d(i) <= s.distance + s.margin - s.reach;
+  }
+};
+
+PointGrid find_carried(const Particles& p, const ScalarField& d, const Sleep& s) {
+  VectorField found("carried", 0);
+  const int rows = append_points(p.position, p.stored, IsCarried{p, d, s}, found, 0);
+  Kokkos::resize(found, rows);
+  return make_point_grid(found, s.reach);
+}
+
 // The rank that each row takes, and its place within: particles keep their order, so that nothing changes
 // where nothing sleeps; tied ones have theirs.
 View<CellKey*> rank_rows(const Particles& p, const VectorField& action, const Sleep& s) {
   const View<CellKey*> key(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_key"), p.stored);
-  const ActionCells cells = group_cells(action, s);
+  const ScalarField distance = distances(p, action, s);
+  const PointGrid carried = find_carried(p, distance, s);
   Kokkos::parallel_for(
       "rest_particles", Range(0, p.stored), KOKKOS_LAMBDA(int i) {
         key(i) = (CellKey(far) << rank_shift) | CellKey(i);
         if (p.constraints(i) & retired_bit) return;
-        const Real d = distance_to(cells, load_vector(p.position, i));
-        const bool tied = p.identity(i) >= p.whole;
-        const bool moves = d <= s.distance, is_awake = d <= s.distance + s.margin;
+        const Real d = distance(i);
+        const bool tied = p.identity(i) >= p.whole, moves = d <= s.distance;
+        const bool is_awake =
+            d <= s.distance + s.reach ||
+            (d <= s.distance + s.margin && (tied || carried.any_within(load_vector(p.position, i), s.reach)));
         p.damping(i) = damping_at(s, d);
         p.constraints(i) = (p.constraints(i) & ~held_bit) | (moves || tied ? 0u : held_bit);
         if (!moves && !tied) stop_particle(p, i, s.mass_factor);

@@ -54,8 +54,8 @@ std::vector<Transform> image_maps(const Scene& scene) {
 
 } // namespace
 
-// Held points reach as far as the motion of a moving one is felt: a kernel's support, and a hex, in which a
-// tied particle moves though it lies farther than the nodes that move.
+// Motion is felt as far as a kernel's support; and in a hex a tied particle moves though it lies farther than
+// the nodes that move.
 Sleep Simulation::sleep_of() const {
   Sleep s;
   s.distance = Real(*deck.sleep.distance);

@@ -95,6 +95,51 @@ TEST(RestParticles, finds_the_nearest_of_many_cells_of_the_action) {
   EXPECT_LT(held, 600);
 }
 
+// Beyond distance + reach only what is tied is awake, and what is near to what a hex moves.
+TEST(RestParticles, a_hex_wakes_no_more_than_what_is_near_to_what_it_moves) {
+  test::ParticleBlock b = test::particle_block(40, 14, 3, dx);
+  Particles& p = b.particles;
+  Sleep s = sleep_for(b, 10 * dx);
+  const Real hex = 6 * dx, tied_from = 11 * dx;
+  s.margin = s.reach + hex;
+  std::vector<Vector3> x;
+  std::vector<int> tied;
+  const auto identity = host_copy(p.identity);
+  for (int i = 0; i < p.stored; ++i) x.push_back(load_vector(host_copy(p.position), i));
+  for (int i = 0, whole = 0; i < p.stored; ++i) {
+    if (x[std::size_t(i)].y > tied_from)
+      tied.push_back(i);
+    else
+      identity(i) = whole++;
+  }
+  p.whole = p.stored - int(tied.size());
+  for (std::size_t k = 0; k < tied.size(); ++k) identity(tied[k]) = p.whole + int(k);
+  Kokkos::deep_copy(p.identity, identity);
+  Tie tie;
+  tie.count = int(tied.size()), tie.row = IndexField("row", tied.size());
+  const Vector3 action{0, 2 * dx, dx};
+  rest_particles(p, tie, action_at(action), s);
+
+  const auto expected = [&](const Vector3& at) {
+    const Real d = norm(at - action);
+    if (at.y > tied_from || d <= s.distance + s.reach) return d <= s.distance + s.margin;
+    bool near = false;
+    for (const int k : tied)
+      near |= norm(x[std::size_t(k)] - at) <= s.reach && norm(x[std::size_t(k)] - action) <= s.distance + hex;
+    return near && d <= s.distance + s.margin;
+  };
+  const auto now = host_copy(p.position);
+  int asleep_in_margin = 0, woken = 0;
+  for (int i = 0; i < p.stored; ++i) {
+    const Vector3 at = load_vector(now, i);
+    EXPECT_EQ(i < p.count + p.tied, expected(at)) << i;
+    if (at.y > tied_from || norm(at - action) <= s.distance + s.reach) continue;
+    woken += expected(at), asleep_in_margin += !expected(at) && norm(at - action) <= s.distance + s.margin;
+  }
+  EXPECT_GT(woken, 10);
+  EXPECT_GT(asleep_in_margin, 50);
+}
+
 TEST(RestParticles, a_row_of_what_sleeps_on_is_left_where_it_is) {
   test::ParticleBlock b = moving_row();
   Particles& p = b.particles;

@@ -9,11 +9,14 @@ namespace swarf {
 // from the nearest of them, and lengths in m:
 //   d <= distance                     moves; over the last `ramp` of it velocities are damped, so that waves
 //                                     which run outwards do not come back
-//   distance < d <= distance + margin is held: its stress follows the motion of its neighbours, so that the
-//                                     energy of the rest closes as if it were a fixed face
+//   distance < d <= distance + margin is held if it is within `reach` of what moves: its stress follows the
+//                                     motion of its neighbours, so that the energy of the rest closes as if
+//                                     it were a fixed face. Farther out than distance + reach that is only
+//                                     what is tied, which a hex may move, and what is near to that
 //   beyond                            sleeps; up to `reach` further it is still a neighbour of what is held
 struct Sleep {
-  Real distance = 0, margin = 0, reach = 0;
+  Real distance = 0, reach = 0; // a kernel's support
+  Real margin = 0;              // reach, and the length of a hex
   Real ramp = 0;
   Real damping = 0; // 1/s at d = distance
   Real near = 0;    // from the tool: what is nearer is part of the action; at most tool.reach
