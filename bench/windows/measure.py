@@ -31,7 +31,8 @@ PROBED = 150  # deg
 # One window of the whole scene, its far part asleep, where it differs most from the pass, by its run-in in deg.
 SCENE_PROBES = {"scene_probe_8": 8, "scene_probe_28": 28}
 SCENE_PROBED = 90  # deg
-SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"  # of SCENE too
+SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"
+SCENE_ASLEEP = {"sleep": {"distance": "52 um"}}  # little more than it must be
 PARTS = {"asleep": {"sleep": {"distance": SLEEP_DISTANCE}},
          "asleep_nearer": {"sleep": {"distance": "48 um"}},
          "retired": {"sleep": {"distance": SLEEP_DISTANCE}, "retire": {"distance": RETIRE_DISTANCE}}}
@@ -71,11 +72,11 @@ def run(program):
         run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
-        run_windows(program, "scene_asleep", SCENE, SCENE_WINDOWS, **PARTS["asleep"])
+        run_windows(program, "scene_asleep", SCENE, SCENE_WINDOWS, **SCENE_ASLEEP)
         for name, run_in in SCENE_PROBES.items():
             one = {"first": SCENE_PROBED, "last": SCENE_PROBED, "run_in": run_in}
-            run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, **PARTS["asleep"])
-        run_whole(program, "scene_pass", write_deck("scene_pass", SCENE, PARTS["asleep"]), os.cpu_count())
+            run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, **SCENE_ASLEEP)
+        run_whole(program, "scene_pass", write_deck("scene_pass", SCENE, SCENE_ASLEEP), os.cpu_count())
     for name in PARTS:
         run_part(program, name)
     run_whole(program, "whole", DECK)
@@ -154,11 +155,18 @@ def measure_windows(run_in, whole):
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"], "windows": windows}
 
 
+def sleep_distance(deck):
+    """None where nothing sleeps; run writes its deck in m"""
+    found = re.search(r'\n\[sleep\]\ndistance = "(.+) m"', deck.read_text())
+    return found and f"{1e6 * float(found[1]):g} um"
+
+
 def measure_probe(name, keys):
     folder = RESULTS / name
     one = next(iter(json.loads((folder / "windows.json").read_text())["windows"].items()))
     samples = read_samples(folder / one[0])
-    return {**keys, **{key: one[1][key] for key in ("immersion", "force_planar", "error_planar", "core_seconds")},
+    return {**keys, "distance": sleep_distance(folder / one[0] / "deck.toml"),
+            **{key: one[1][key] for key in ("immersion", "force_planar", "error_planar", "core_seconds")},
             "bins": bins(samples)}
 
 
@@ -167,7 +175,7 @@ def measure_part(name):
     summary = json.loads((RESULTS / name / "summary.json").read_text())
     costs = read_costs(RESULTS / name)
     moved = sum(cost["particle_steps_per_second"] * cost["wall_seconds"] for cost in costs)
-    found = {"distance": PARTS.get(name, PARTS["asleep"])["sleep"]["distance"], "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
+    found = {"distance": sleep_distance(RESULTS / name / "deck.toml"), "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
              "wall_seconds": sum(cost["wall_seconds"] for cost in costs),
              "threads": sorted({cost["threads"] for cost in costs}),
              "peak_memory_bytes": max(cost["peak_memory_bytes"] for cost in costs),
@@ -199,6 +207,7 @@ def measure_scene(name):
         if whole and whole[-1][0] >= high:
             row["whole_planar"] = math.hypot(*mean(whole, low, high))
     return {"deck": str(SCENE.relative_to(ROOT)), **SCENE_WINDOWS, "rows": rows,
+            "distance": sleep_distance(folder / next(iter(names.values())) / "deck.toml"),
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
 
 

@@ -37,7 +37,7 @@ def write_pass(found):
     to = f"It has run to {whole['end']:.0f} deg so far" if "end" in whole else "It ran from the entry to the exit"
     lines = ["![Force of the whole scene over immersion](windows_scene.png)", "",
              "![The chip of the whole scene at five angles, coloured by temperature](chip_scene.png)", "",
-             f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"` as in the slice above: {whole['particles']} "
+             f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"`: {whole['particles']} "
              f"particles and {whole['hexes']} hexes, of the particles {100 * whole['awake']:.1f} % awake on the mean. {to}: "
              f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h on "
              f"{' and '.join(map(str, whole['threads']))} threads; {hours(whole['core_seconds'])} if two cores shared it evenly), "
@@ -72,7 +72,7 @@ def write_probes(found):
 
     middles = [angle for angle in numpy.arange(at, 0, -width)[::-1] if force(probes[-1]["bins"], angle)]
     lines = [f"### What the run-in does, at {at:g} deg", "",
-             f"The same window with its far part asleep as well (`[sleep] distance = \"{found['scene_pass']['distance']}\"`), "
+             f"The same window with its far part asleep as well (`[sleep] distance = \"{probes[0]['distance']}\"`), "
              f"after short and long run-in, in means over {width} deg while it turns, against the cutting tooth of the whole pass:",
              "", "| immersion / deg | whole pass / N | " + " | ".join(f"run-in {one['run_in']} deg / N | difference" for one in probes)
              + " |", "|" + "---:|" * (2 + 2 * len(probes))]
@@ -93,8 +93,8 @@ def write_sleep(found):
     ratio, error = ratio_of_means([(asleep[at]["force_planar"], awake[at]["force_planar"]) for at in both])
     costs = [sum(rows[at]["core_seconds"] for at in both) for rows in (asleep, awake)]
     lines = ["### What sleep does", "",
-             f"The same windows with their far part asleep (`[sleep] distance = \"{found['scene_pass']['distance']}\"`, as in the "
-             f"deck): the mean force of the {len(both)} differs by {percent(ratio - 1)}, standard error {100 * error:.1f} % from "
+             f"The same windows with their far part asleep (`[sleep] distance = \"{found['scene_asleep']['distance']}\"`): "
+             f"the mean force of the {len(both)} differs by {percent(ratio - 1)}, standard error {100 * error:.1f} % from "
              f"their scatter, for {costs[0]:.0f} core-seconds instead of {costs[1]:.0f}.", "",
              "| immersion / deg | asleep / N | standard error / N | awake / N | difference | core-seconds | awake |",
              "|" + "---:|" * 7]
@@ -132,5 +132,5 @@ def write(found):
                      f"{row['peak_memory_bytes'] / 2**20:.0f} | {100 * row['energy_residual']:.2f} % | "
                      f"{row['leaked_particles']} |")
     lines.append("")
-    lines += write_sleep(found) if {"scene_asleep", "scene_pass"} <= found.keys() else []
+    lines += write_sleep(found) if "scene_asleep" in found else []
     return lines + (write_probes(found) if {"scene_probes", "scene_pass"} <= found.keys() else [])
