@@ -1,9 +1,9 @@
+// Points by cell, to ask whether one is near.
 #pragma once
 #include "cell_order.hpp"
 
 namespace swarf {
 
-// Points by cell, to ask what is near.
 struct PointGrid {
   CellGrid grid;
   KeyedRows rows;

@@ -69,7 +69,7 @@ TEST(RestParticles, what_moves_feels_only_what_is_awake_and_what_is_awake_only_w
   EXPECT_GE(*seen.rbegin(), p.count);
 }
 
-// 600 cells: more than two levels of boxes hold 16 by 16 of.
+// 600 cells: more than the 16 by 16 that one box of boxes holds.
 TEST(RestParticles, finds_the_nearest_of_many_cells_of_the_action) {
   test::ParticleBlock b = moving_row();
   const Sleep s = sleep_for(b, Real(2.2) * dx);

@@ -32,7 +32,7 @@ PROBED = 150  # deg
 SCENE_PROBES = {"scene_probe_8": 8, "scene_probe_28": 28}
 SCENE_PROBED = 90  # deg
 SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"
-SCENE_ASLEEP = {"sleep": {"distance": "52 um"}}  # little more than it must be
+SCENE_ASLEEP = {"sleep": {"distance": re.search(r'\n\[sleep\]\ndistance = "([^"]+)"', SCENE.read_text())[1]}}
 PARTS = {"asleep": {"sleep": {"distance": SLEEP_DISTANCE}},
          "asleep_nearer": {"sleep": {"distance": "48 um"}},
          "retired": {"sleep": {"distance": SLEEP_DISTANCE}, "retire": {"distance": RETIRE_DISTANCE}}}
