@@ -49,8 +49,8 @@ KOKKOS_INLINE_FUNCTION Pack sum_heat(const Particles& p, const Neighbors& n, int
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack slope = pair_slope(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
     const Pack shape =
-        quadratic_form(K_i + broadcast_symmetric(p.heat_shape, j), x_ij) / (dot(x_ij, x_ij) + none);
-    const Pack k_j(p.heat_state(j, 1)), k_ij = Pack(Real(2)) * k_i * k_j / (k_i + k_j + none);
+        quadratic_form(K_i + broadcast_symmetric(p.heat_shape, j), x_ij) * reciprocal(dot(x_ij, x_ij) + none);
+    const Pack k_j(p.heat_state(j, 1)), k_ij = Pack(Real(2)) * k_i * k_j * reciprocal(k_i + k_j + none);
     sum += Pack(p.volume(j)) * shape * k_ij * (T_i - Pack(p.heat_state(j, 0))) * slope;
   }
   return sum;

@@ -85,7 +85,7 @@ KOKKOS_INLINE_FUNCTION Pack sum_diffusion(const Particles& p, const Neighbors& n
                               Pack(p.pressure_state(j, 3))};
     const Pack beyond_linear = p_i - Pack(p.pressure_state(j, 0)) - half * dot(g_i + g_j, x_ij);
     const Pack c = c_i + Pack(p.impedance(j, 0) / p.impedance(j, 1)); // twice the mean
-    sum += Pack(p.volume(j)) * (c / inverse_h) * beyond_linear * pair_slope(x_ij, inverse_h);
+    sum += Pack(p.volume(j)) * c * reciprocal(inverse_h) * beyond_linear * pair_slope(x_ij, inverse_h);
   }
   return sum;
 }

@@ -54,13 +54,13 @@ KOKKOS_FORCEINLINE_FUNCTION PairViscosity pair_viscosity(const Cluster& i, const
   Pack approach = Kokkos::min(xv, zero);
   if (m.reconstruct_viscosity) approach = Kokkos::max(approach, Kokkos::min(beyond_linear, zero));
   const Pack r2h2 = dot(x_ij, x_ij) * inverse_h * inverse_h;
-  const Pack per_length = inverse_h / (r2h2 + Pack(Real(0.01)));
+  const Pack per_length = inverse_h * reciprocal(r2h2 + Pack(Real(0.01)));
   const Pack mu = approach * per_length;
-  const Pack Z = half * (i.impedance + Pack(p.impedance(j, 0)));
-  const Pack rho = half * (i.density + Pack(p.impedance(j, 1)));
-  return {mu * (Pack(m.viscosity_quadratic) * rho * mu - Pack(m.viscosity_linear) * Z),
-          Pack(-m.hourglass_viscosity) * Z * (beyond_linear * per_length), beyond_linear,
-          per_length * inverse_h};
+  const Pack Z2 = i.impedance + Pack(p.impedance(j, 0)), rho2 = i.density + Pack(p.impedance(j, 1)); // twice
+  return {
+      mu * (Pack(Real(0.5) * m.viscosity_quadratic) * rho2 * mu - Pack(Real(0.5) * m.viscosity_linear) * Z2),
+      Pack(Real(-0.5) * m.hourglass_viscosity) * Z2 * (beyond_linear * per_length), beyond_linear,
+      per_length * inverse_h};
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const ParticleMethod& m) {
@@ -84,7 +84,7 @@ KOKKOS_FORCEINLINE_FUNCTION PairSpring pair_spring(const Cluster& i, const Parti
                                                    const Pack& inverse_h, const PairViscosity& q,
                                                    const ParticleMethod& m, Real dt) {
   const Pack half(Real(0.5)), grown = Pack(dt) * q.beyond_linear;
-  const Pack modulus = Pack(-m.hourglass_stiffness) * half * (i.shear_modulus + Pack(p.impedance(j, 2)));
+  const Pack modulus = Pack(Real(-0.5) * m.hourglass_stiffness) * (i.shear_modulus + Pack(p.impedance(j, 2)));
   if constexpr (T::initial) {
     const auto F = i.F + broadcast_tensor(p.deformation_gradient, j);
     const Pack stretch = dot(x_ij, x_ij - half * multiply(F, X_ij));
@@ -119,7 +119,7 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
   s.gradient = s.gradient + grad;
   s.neighbor_stress =
       s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - (q.shock + q.hourglass) * line;
-  const Pack rate = dot(line, v_ij);
+  const Pack rate = slope * xv;
   s.viscous_power += q.shock * rate;
   s.hourglass_power += hourglass * rate;
   if constexpr (T::artificial) {

@@ -21,7 +21,7 @@ KOKKOS_INLINE_FUNCTION Vector3Of<Pack> sum_differences(const Particles& p, const
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack W = pair_weight(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
     const Pack rho_j(p.impedance(j, 1)); // mass-scaled, as rho_i: the factor cancels
-    const Pack share = Pack(Real(2) * p.volume(j)) * rho_j / (rho_i + rho_j);
+    const Pack share = Pack(Real(2) * p.volume(j)) * rho_j * reciprocal(rho_i + rho_j);
     sum = sum + (share * W) * (broadcast_vector(p.velocity, j) - v_i);
   }
   return sum;

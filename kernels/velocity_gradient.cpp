@@ -13,8 +13,8 @@ struct GradientSums {
   Symmetric3Of<Pack> A; // inverse of K
 };
 
-// Neighbours are taken a few at a time: first their slopes, whose roots and divisions are long, then the
-// sums. In one go a pair is a chain of operations longer than a processor looks ahead: a sixth slower.
+// Neighbours are taken a few at a time: first their slopes, whose roots are long, then the sums. In one go a
+// pair is a chain of operations longer than a processor looks ahead: a tenth slower.
 constexpr int pair_chunk = pack_width > 1 ? 16 : 1;
 
 KOKKOS_FORCEINLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const Neighbors& n, int cluster,

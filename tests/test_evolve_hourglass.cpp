@@ -71,7 +71,7 @@ Real rate_of_checkerboard() {
     for (int y = -3; y <= 3; ++y)
       for (int z = -3; z <= 3; ++z)
         if (x % 2 != 0)
-          sum -= 2 * Real(x * x) * kernel_slope(std::sqrt(Real(x * x + y * y + z * z)) * inverse_h);
+          sum -= 2 * Real(x * x) * kernel_slope(Real(x * x + y * y + z * z) * inverse_h * inverse_h);
   return sum * std::pow(inverse_h, Real(5));
 }
 

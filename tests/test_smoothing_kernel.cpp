@@ -1,6 +1,7 @@
 #include "swarf/smoothing_kernel.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace swarf {
 
@@ -21,13 +22,13 @@ TEST(SmoothingKernel, SlopeIsTheDerivative) {
     const double d = 1e-3;
     const double difference =
         (double(kernel_shape(Real(q + d))) - double(kernel_shape(Real(q - d)))) / (2 * d);
-    EXPECT_NEAR(q * double(kernel_slope(Real(q))), difference, sizeof(Real) == 8 ? 1e-6 : 2e-4) << q;
+    EXPECT_NEAR(q * double(kernel_slope(Real(q * q))), difference, sizeof(Real) == 8 ? 1e-6 : 2e-4) << q;
   }
 }
 
 TEST(SmoothingKernel, HasCompactSupportAndAFiniteCentre) {
   EXPECT_EQ(kernel_shape(Real(2)), 0);
-  EXPECT_EQ(kernel_slope(Real(2.5)), 0);
+  EXPECT_EQ(kernel_slope(Real(6.25)), 0);
   EXPECT_NEAR(double(kernel_shape(Real(0))), 1 / M_PI, 1e-6); // Monaghan & Lattanzio (1985)
   EXPECT_NEAR(double(kernel_slope(Real(0))), -3 / M_PI, 1e-6);
 }
@@ -46,10 +47,23 @@ TEST(SmoothingKernel, SumsToUnityOnALattice) {
 // A pack gives in each lane what a single number gives.
 TEST(SmoothingKernel, PackAndScalarAgree) {
   const Pack q = make_pack([](int lane) { return Real(0.3) * Real(lane); });
-  const Pack shape = kernel_shape(q), slope = kernel_slope(q);
+  const Pack shape = kernel_shape(q), slope = kernel_slope(q * q);
   for (int lane = 0; lane < pack_width; ++lane) {
     EXPECT_NEAR(lane_of(shape, lane), kernel_shape(Real(0.3) * Real(lane)), 1e-6);
-    EXPECT_NEAR(lane_of(slope, lane), kernel_slope(Real(0.3) * Real(lane)), 1e-6);
+    EXPECT_NEAR(lane_of(slope, lane), kernel_slope(Real(0.09) * Real(lane * lane)), 1e-6);
+  }
+}
+
+// To about a unit in the last place, over the range of what pairs divide by.
+TEST(Pack, ReciprocalAndInverseSqrtAreExactToRoundOff) {
+  const Real round_off = std::numeric_limits<Real>::epsilon();
+  for (int exponent = -100; exponent <= 100; ++exponent) {
+    const auto x = [&](int lane) { return std::ldexp(1 + Real(lane) / 7, exponent); };
+    const Pack one_over = reciprocal(make_pack(x)), root = inverse_sqrt(make_pack(x));
+    for (int lane = 0; lane < pack_width; ++lane) {
+      EXPECT_NEAR(lane_of(one_over, lane) * x(lane), 1, 2 * round_off) << x(lane);
+      EXPECT_NEAR(lane_of(root, lane) * std::sqrt(x(lane)), 1, 4 * round_off) << x(lane);
+    }
   }
 }
 

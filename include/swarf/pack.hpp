@@ -11,6 +11,8 @@
 namespace swarf {
 
 KOKKOS_FORCEINLINE_FUNCTION Real select(bool mask, Real a, Real b) { return mask ? a : b; }
+KOKKOS_FORCEINLINE_FUNCTION Real reciprocal(Real x) { return Real(1) / x; }
+KOKKOS_FORCEINLINE_FUNCTION Real inverse_sqrt(Real x) { return Kokkos::rsqrt(x); }
 
 #ifdef SWARF_ONE_LANE
 using Pack = Real;
@@ -37,6 +39,52 @@ KOKKOS_FORCEINLINE_FUNCTION Pack select(const Pack::mask_type& mask, const Pack&
 KOKKOS_FORCEINLINE_FUNCTION bool any_less(const Pack& a, Real b) {
   return Kokkos::Experimental::any_of(a < Pack(b));
 }
+
+// 1 / x and 1 / sqrt(x) of normal numbers x > 0, to about one unit in the last place. A processor with
+// AVX-512 divides 8 lanes in the time of some 30 multiplications, but estimates to 14 bits in that of a few;
+// Newton's steps double the bits: r (2 - x r), r (3 - x r^2) / 2.
+#ifdef KOKKOS_ARCH_AVX512XEON
+template <class T, int n>
+using PackOf = Kokkos::Experimental::basic_simd<T, Kokkos::Experimental::simd_abi::avx512_fixed_size<n>>;
+
+template <int n>
+KOKKOS_FORCEINLINE_FUNCTION PackOf<double, n> estimate_reciprocal(const PackOf<double, n>& x) {
+  return PackOf<double, n>(_mm512_rcp14_pd(static_cast<__m512d>(x)));
+}
+template <int n>
+KOKKOS_FORCEINLINE_FUNCTION PackOf<float, n> estimate_reciprocal(const PackOf<float, n>& x) {
+  if constexpr (n == 8)
+    return PackOf<float, n>(_mm256_rcp14_ps(static_cast<__m256>(x)));
+  else
+    return PackOf<float, n>(_mm512_rcp14_ps(static_cast<__m512>(x)));
+}
+template <int n>
+KOKKOS_FORCEINLINE_FUNCTION PackOf<double, n> estimate_inverse_sqrt(const PackOf<double, n>& x) {
+  return PackOf<double, n>(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
+}
+template <int n>
+KOKKOS_FORCEINLINE_FUNCTION PackOf<float, n> estimate_inverse_sqrt(const PackOf<float, n>& x) {
+  if constexpr (n == 8)
+    return PackOf<float, n>(_mm256_rsqrt14_ps(static_cast<__m256>(x)));
+  else
+    return PackOf<float, n>(_mm512_rsqrt14_ps(static_cast<__m512>(x)));
+}
+inline constexpr int newton_steps = sizeof(Real) == sizeof(double) ? 2 : 1;
+
+KOKKOS_FORCEINLINE_FUNCTION Pack reciprocal(const Pack& x) {
+  Pack r = estimate_reciprocal(x);
+  for (int k = 0; k < newton_steps; ++k) r = r + r * (Pack(Real(1)) - x * r);
+  return r;
+}
+KOKKOS_FORCEINLINE_FUNCTION Pack inverse_sqrt(const Pack& x) {
+  Pack r = estimate_inverse_sqrt(x);
+  for (int k = 0; k < newton_steps; ++k) r = r + Pack(Real(0.5)) * r * (Pack(Real(1)) - x * r * r);
+  return r;
+}
+#else
+KOKKOS_FORCEINLINE_FUNCTION Pack reciprocal(const Pack& x) { return Pack(Real(1)) / x; }
+KOKKOS_FORCEINLINE_FUNCTION Pack inverse_sqrt(const Pack& x) { return Pack(Real(1)) / Kokkos::sqrt(x); }
+#endif
 #endif
 
 } // namespace swarf

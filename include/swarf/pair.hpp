@@ -56,8 +56,8 @@ KOKKOS_FORCEINLINE_FUNCTION Tensor3 lane_of(const Tensor3Of<Pack>& t, int lane) 
 // x . a x
 KOKKOS_FORCEINLINE_FUNCTION Pack quadratic_form(const Symmetric3Of<Pack>& a, const Vector3Of<Pack>& x) {
   const Pack two(Real(2));
-  return a.xx * x.x * x.x + a.yy * x.y * x.y + a.zz * x.z * x.z +
-         two * (a.xy * x.x * x.y + a.yz * x.y * x.z + a.zx * x.z * x.x);
+  return x.x * (a.xx * x.x + two * a.xy * x.y) + x.y * (a.yy * x.y + two * a.yz * x.z) +
+         x.z * (a.zz * x.z + two * a.zx * x.x);
 }
 
 // Of tensors that are symmetric.
@@ -80,9 +80,8 @@ KOKKOS_FORCEINLINE_FUNCTION Pack pair_weight(const Vector3Of<Pack>& x_ij, const 
 
 // (dW/dr) / r at h_ij: grad_i W_ij is this times x_ij.
 KOKKOS_FORCEINLINE_FUNCTION Pack pair_slope(const Vector3Of<Pack>& x_ij, const Pack& inverse_h) {
-  const Pack q = Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h;
   const Pack inverse_h2 = inverse_h * inverse_h;
-  return inverse_h2 * inverse_h2 * inverse_h * kernel_slope(q);
+  return inverse_h2 * inverse_h2 * inverse_h * kernel_slope(dot(x_ij, x_ij) * inverse_h2);
 }
 
 } // namespace swarf

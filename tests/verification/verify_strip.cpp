@@ -107,7 +107,9 @@ Pulled pull(const std::string& fill, double strain, double seed, const Stabilise
 // Poisson's contraction in plane strain; spacing 1.
 double critical_artificial_stress(double h, double stretch, int exponent) {
   const double narrow = 1 - nu / (1 - nu) * (stretch - 1);
-  const auto slope = [&](double x, double r) { return double(kernel_slope(Real(r / h))) * x; }; // W_x
+  const auto slope = [&](double x, double r) {
+    return double(kernel_slope(Real(r * r / (h * h)))) * x;
+  }; // W_x
   const auto weight = [&](double r) {
     return std::pow(double(kernel_shape(Real(r / h))) / double(kernel_shape(Real(1 / h))), exponent);
   };
