@@ -161,6 +161,10 @@ def sleep_distance(deck):
     return found and f"{1e6 * float(found[1]):g} um"
 
 
+def courant(deck):
+    return float(re.search(r"\ncourant = (\S+)", deck.read_text())[1])
+
+
 def measure_probe(name, keys):
     folder = RESULTS / name
     one = next(iter(json.loads((folder / "windows.json").read_text())["windows"].items()))
@@ -168,6 +172,11 @@ def measure_probe(name, keys):
     return {**keys, "distance": sleep_distance(folder / one[0] / "deck.toml"),
             **{key: one[1][key] for key in ("immersion", "force_planar", "error_planar", "core_seconds")},
             "bins": bins(samples)}
+
+
+def machine():
+    found = re.search(r"model name\s*: (.+)", pathlib.Path("/proc/cpuinfo").read_text())
+    return found[1].strip() if found else "unknown machine"
 
 
 def measure_part(name):
@@ -196,19 +205,22 @@ def measure_scene(name):
     joined = json.loads((folder / "windows.json").read_text())
     with open(folder / "windows.csv", newline="") as file:
         rows = [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
-    whole = read_samples(RESULTS / "scene_pass", CUTTING) if (RESULTS / "scene_pass" / "history.csv").exists() else []
     names = {one["immersion"]: name for name, one in joined["windows"].items()}
     for row in rows:
         summary = json.loads((folder / names[row["immersion"]] / "summary.json").read_text())
         row |= {key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")}
         row |= {"peak_memory_bytes": summary["cost"]["peak_memory_bytes"]}
         row |= {"energy_residual": summary["energies"]["worst_residual_over_external"]}
-        low, high = (row["immersion"] + side * 0.5 * SCENE_WINDOWS["width"] for side in (-1, 1))
-        if whole and whole[-1][0] >= high:
-            row["whole_planar"] = math.hypot(*mean(whole, low, high))
     return {"deck": str(SCENE.relative_to(ROOT)), **SCENE_WINDOWS, "rows": rows,
             "distance": sleep_distance(folder / next(iter(names.values())) / "deck.toml"),
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
+
+
+def set_beside_pass(rows, whole):
+    for row in rows:
+        low, high = (row["immersion"] + side * 0.5 * SCENE_WINDOWS["width"] for side in (-1, 1))
+        if whole[-1][0] >= high:
+            row["whole_planar"] = math.hypot(*mean(whole, low, high))
 
 
 def write_results(found):
@@ -240,11 +252,14 @@ def main():
     for name in (*PARTS, "scene_pass"):
         if (RESULTS / name / "summary.json").exists():
             found[name] = measure_part(name)
-    if "scene_pass" in found and (RESULTS / "scene_pass").exists():
-        found["scene_pass"]["cutting"] = bins(read_samples(RESULTS / "scene_pass", CUTTING))
     for name in ("scene", "scene_asleep"):
         if (RESULTS / name / "windows.csv").exists():
             found[name] = measure_scene(name)
+    if "scene_pass" in found and (RESULTS / "scene_pass").exists():
+        whole = read_samples(RESULTS / "scene_pass", CUTTING)
+        set_beside_pass(found["scene"]["rows"] if "scene" in found else [], whole)
+        found["scene_pass"] |= {"machine": machine(), "courant": courant(RESULTS / "scene_pass" / "deck.toml"),
+                                "cutting": bins(whole)}
     probes = [measure_probe(name, {"run_in": run_in}) for name, run_in in SCENE_PROBES.items()
               if (RESULTS / name / "windows.json").exists()]
     found |= {"scene_probes": probes} if probes else {}

@@ -32,6 +32,12 @@ def picture(found):
     save(figure, (axes,), "windows_scene")
 
 
+def describe_before(whole, before):
+    return (f"- commit {before['commit']}, `distance = \"{before['distance']}\"`, "
+            f"{before['steps']} steps in {before['core_seconds']:.0f} core-seconds of an {before['machine']}: "
+            f"{compare(whole, before, 'cutting')}.")
+
+
 def write_pass(found):
     whole = found["scene_pass"]
     to = f"It has run to {whole['end']:.0f} deg so far" if "end" in whole else "It ran from the entry to the exit"
@@ -40,14 +46,17 @@ def write_pass(found):
              f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"`: {whole['particles']} "
              f"particles and {whole['hexes']} hexes, of the particles {100 * whole['awake']:.1f} % awake on the mean. {to}: "
              f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h on "
-             f"{' and '.join(map(str, whole['threads']))} threads; {hours(whole['core_seconds'])} if two cores shared it evenly), "
+             f"{' and '.join(map(str, whole['threads']))} threads of an {whole['machine']}; {hours(whole['core_seconds'])} if two cores shared it evenly), "
              f"{whole['peak_memory_bytes'] / 2**20:.0f} MiB, worst energy residual {100 * whole['energy_residual']:.2f} % of the "
              f"external work, {whole['leaked_particles']} leaked particles. The same pass without sleep has not been run.", ""]
-    if "scene_pass_before" in found:
-        before = found["scene_pass_before"]
-        lines += [f"How far two passes of this scene are apart by chance: one of commit {before['commit']}, the same physics with "
-                  f"other round-off, took {before['core_seconds']:.0f} core-seconds. This one against it: "
-                  f"{compare(whole, before, 'cutting')}.", ""]
+    if "scene_passes_before" in found:
+        lines += ["How far passes of this scene are apart: it has run before, with other round-off. This pass against those:", ""]
+        lines += [describe_before(whole, before) for before in found["scene_passes_before"]] + [""]
+    if "scene_pass_failed" in found:
+        failed = found["scene_pass_failed"]
+        lines += [f"With `courant = {failed['courant']}` instead of {whole['courant']} (commit {failed['commit']}) swarf stopped it at "
+                  f"{failed['end']:.0f} deg, step {failed['step']}: \"{failed['said']}\". It made energy from 11 deg on: "
+                  f"{100 * failed['energy_residual']:.1f} % of the external work at the end.", ""]
     rows = [row for row in found["scene"]["rows"] if "whole_planar" in row]
     if len(rows) > 2:
         ratio, error = ratio_of_means([(row["force_planar"], row["whole_planar"]) for row in rows])
