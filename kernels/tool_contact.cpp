@@ -24,7 +24,7 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
   const ToolFrame frame = make_frame(pose);
   const bool heats = points.temperature.extent(0) > 0;
   Kokkos::parallel_for(
-      "tool_contact", Range(0, points.count), KOKKOS_LAMBDA(const int i) {
+      "tool_contact", UnevenRange(0, points.count), KOKKOS_LAMBDA(const int i) {
         if (points.area(i) == 0) return;
         const Vector3 x = load_vector(points.position, i);
         const ToolDistance at = signed_distance(tool, to_tool(frame, x));

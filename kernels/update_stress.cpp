@@ -13,7 +13,7 @@ void update_stress(const MaterialPoints& p, const MaterialTable& materials, Real
                    const View<int*>& active) {
   const bool all = active.extent(0) == 0;
   Kokkos::parallel_for(
-      "update_stress", Range(0, p.count), KOKKOS_LAMBDA(const int i) {
+      "update_stress", UnevenRange(0, p.count), KOKKOS_LAMBDA(const int i) {
         if (!all && active(i) == hex_asleep) return;
         const MaterialState start{
             load_symmetric(p.stress, i), p.density(i),     p.equivalent_plastic_strain(i),

@@ -12,6 +12,8 @@ using Real = double;
 
 using ExecSpace = Kokkos::DefaultExecutionSpace;
 using Range = Kokkos::RangePolicy<ExecSpace>;
+// Where dear rows lie side by side, as those near the edge do: threads take them in small portions.
+using UnevenRange = Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
 
 // Default layout: rows are contiguous on a CPU, columns on a GPU.
 template <class Data>
