@@ -54,7 +54,7 @@ TEST(SmoothingKernel, PackAndScalarAgree) {
   }
 }
 
-// To about a unit in the last place, over the range of what pairs divide by.
+// To a few units in the last place, over more than the range of what pairs divide by.
 TEST(Pack, ReciprocalAndInverseSqrtAreExactToRoundOff) {
   const Real round_off = std::numeric_limits<Real>::epsilon();
   for (int exponent = -100; exponent <= 100; ++exponent) {

@@ -9,13 +9,13 @@ import argparse
 import json
 import os
 import pathlib
-import platform
 import statistics
 import subprocess
 import time
 
 import start_up
 from kept import Kept
+from processor import processor
 
 HERE = pathlib.Path(__file__).resolve().parent
 RESULTS = HERE.parent / "results.json"
@@ -98,13 +98,6 @@ def row_of(key, measured):
     if "phases" in measured:
         row["phases"] = {phase: statistics.median(values) for phase, values in measured["phases"].items()}
     return row
-
-
-def processor():
-    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.processor()
 
 
 def commit():

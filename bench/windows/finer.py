@@ -5,7 +5,6 @@ too few particles across it? Writes the entry "finer" of results.json. The whole
 usage: finer.py PROGRAM [--no-run]
 """
 import json
-import math
 import pathlib
 import subprocess
 import sys
@@ -54,11 +53,9 @@ def measure_windows(spacing, whole):
     for one in joined["windows"].values():
         if one["ended"] != "complete":
             continue
-        row = {key: one[key] for key in ("immersion", "force_planar", "error_planar", "core_seconds", "uncut_chip")}
-        low, high = one["immersion"] - 0.5 * measure.WIDTH, one["immersion"] + 0.5 * measure.WIDTH
-        if whole and whole[-1][0] >= high:
-            row["whole_planar"] = math.hypot(*measure.mean(whole, low, high))
-        rows.append(row)
+        rows.append({key: one[key] for key in ("immersion", "force_planar", "error_planar", "core_seconds", "uncut_chip")})
+    if whole:
+        measure.set_beside_pass(rows, whole, measure.WIDTH)
     return {"spacing": spacing, "courant": COURANT, "core_seconds": joined["core_seconds"],
             "scatter": joined["scatter_between_windows"], "windows": rows}
 

@@ -19,6 +19,9 @@ import sys
 from common import AHEAD, RUN_INS, WIDTH
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent / "speed"))
+from processor import processor
+
 ROOT = HERE.parents[1]
 DECK = ROOT / "inputs" / "micro_milling_pass.toml"
 SCENE = ROOT / "inputs" / "micro_milling.toml"
@@ -136,6 +139,14 @@ def bins(samples):
             "force_y": [round(f[1], 4) for f in forces]}
 
 
+def set_beside_pass(rows, whole, width):
+    """The pass's force in each window that it has gone through."""
+    for row in rows:
+        low, high = row["immersion"] - 0.5 * width, row["immersion"] + 0.5 * width
+        if whole[-1][0] >= high:
+            row["whole_planar"] = math.hypot(*mean(whole, low, high))
+
+
 def measure_windows(run_in, whole):
     folder = RESULTS / f"run_in_{run_in}"
     joined = json.loads((folder / "windows.json").read_text())
@@ -144,12 +155,10 @@ def measure_windows(run_in, whole):
         if one["ended"] != "complete":
             continue
         samples = read_samples(folder / name)
-        low, high = one["immersion"] - 0.5 * WIDTH, one["immersion"] + 0.5 * WIDTH
-        row = {"immersion": one["immersion"], "force_planar": one["force_planar"], "error_planar": one["error_planar"],
-               "core_seconds": one["core_seconds"], "start": samples[0][0], "bins": bins(samples)}
-        if whole[-1][0] >= high:
-            row["whole_planar"] = math.hypot(*mean(whole, low, high))
-        windows.append(row)
+        windows.append({"immersion": one["immersion"], "force_planar": one["force_planar"],
+                        "error_planar": one["error_planar"], "core_seconds": one["core_seconds"],
+                        "start": samples[0][0], "bins": bins(samples)})
+    set_beside_pass(windows, whole, WIDTH)
     return {"run_in": run_in, "width": WIDTH, "core_seconds": joined["core_seconds"],
             "scatter": joined["scatter_between_windows"],
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"], "windows": windows}
@@ -172,11 +181,6 @@ def measure_probe(name, keys):
     return {**keys, "distance": sleep_distance(folder / one[0] / "deck.toml"),
             **{key: one[1][key] for key in ("immersion", "force_planar", "error_planar", "core_seconds")},
             "bins": bins(samples)}
-
-
-def machine():
-    found = re.search(r"model name\s*: (.+)", pathlib.Path("/proc/cpuinfo").read_text())
-    return found[1].strip() if found else "unknown machine"
 
 
 def measure_part(name):
@@ -216,13 +220,6 @@ def measure_scene(name):
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
 
 
-def set_beside_pass(rows, whole):
-    for row in rows:
-        low, high = (row["immersion"] + side * 0.5 * SCENE_WINDOWS["width"] for side in (-1, 1))
-        if whole[-1][0] >= high:
-            row["whole_planar"] = math.hypot(*mean(whole, low, high))
-
-
 def write_results(found):
     text = json.dumps(found, indent=1)
     text = re.sub(r"\[\s+([^][{}]*?)\s+\]", lambda m: "[" + re.sub(r"\s+", " ", m[1]) + "]", text)
@@ -257,8 +254,9 @@ def main():
             found[name] = measure_scene(name)
     if "scene_pass" in found and (RESULTS / "scene_pass").exists():
         whole = read_samples(RESULTS / "scene_pass", CUTTING)
-        set_beside_pass(found["scene"]["rows"] if "scene" in found else [], whole)
-        found["scene_pass"] |= {"machine": machine(), "courant": courant(RESULTS / "scene_pass" / "deck.toml"),
+        for name in {"scene", "scene_asleep"} & found.keys():
+            set_beside_pass(found[name]["rows"], whole, SCENE_WINDOWS["width"])
+        found["scene_pass"] |= {"machine": processor(), "courant": courant(RESULTS / "scene_pass" / "deck.toml"),
                                 "cutting": bins(whole)}
     probes = [measure_probe(name, {"run_in": run_in}) for name, run_in in SCENE_PROBES.items()
               if (RESULTS / name / "windows.json").exists()]

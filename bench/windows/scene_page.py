@@ -55,7 +55,7 @@ def write_pass(found):
     if "scene_pass_failed" in found:
         failed = found["scene_pass_failed"]
         lines += [f"With `courant = {failed['courant']}` instead of {whole['courant']} (commit {failed['commit']}) swarf stopped it at "
-                  f"{failed['end']:.0f} deg, step {failed['step']}: \"{failed['said']}\". It made energy from 11 deg on: "
+                  f"{failed['end']:.0f} deg, step {failed['step']}: \"{failed['said']}\". It made energy from {failed['from']} deg on: "
                   f"{100 * failed['energy_residual']:.1f} % of the external work at the end.", ""]
     rows = [row for row in found["scene"]["rows"] if "whole_planar" in row]
     if len(rows) > 2:

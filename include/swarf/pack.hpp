@@ -40,36 +40,27 @@ KOKKOS_FORCEINLINE_FUNCTION bool any_less(const Pack& a, Real b) {
   return Kokkos::Experimental::any_of(a < Pack(b));
 }
 
-// 1 / x and 1 / sqrt(x) of normal numbers x > 0, to about one unit in the last place. A processor with
-// AVX-512 divides 8 lanes in the time of some 30 multiplications, but estimates to 14 bits in that of a few;
-// Newton's steps double the bits: r (2 - x r), r (3 - x r^2) / 2.
+// 1 / x and 1 / sqrt(x) of normal numbers x > 0, to a few units in the last place. A processor with AVX-512
+// divides 8 lanes in the time of some 30 multiplications, but estimates to 14 bits in that of a few; Newton's
+// steps double the bits: r (2 - x r), r (3 - x r^2) / 2.
 #ifdef KOKKOS_ARCH_AVX512XEON
-template <class T, int n>
-using PackOf = Kokkos::Experimental::basic_simd<T, Kokkos::Experimental::simd_abi::avx512_fixed_size<n>>;
-
-template <int n>
-KOKKOS_FORCEINLINE_FUNCTION PackOf<double, n> estimate_reciprocal(const PackOf<double, n>& x) {
-  return PackOf<double, n>(_mm512_rcp14_pd(static_cast<__m512d>(x)));
+#ifdef SWARF_FLOAT
+KOKKOS_FORCEINLINE_FUNCTION Pack estimate_reciprocal(const Pack& x) {
+  return Pack(_mm512_rcp14_ps(static_cast<__m512>(x)));
 }
-template <int n>
-KOKKOS_FORCEINLINE_FUNCTION PackOf<float, n> estimate_reciprocal(const PackOf<float, n>& x) {
-  if constexpr (n == 8)
-    return PackOf<float, n>(_mm256_rcp14_ps(static_cast<__m256>(x)));
-  else
-    return PackOf<float, n>(_mm512_rcp14_ps(static_cast<__m512>(x)));
+KOKKOS_FORCEINLINE_FUNCTION Pack estimate_inverse_sqrt(const Pack& x) {
+  return Pack(_mm512_rsqrt14_ps(static_cast<__m512>(x)));
 }
-template <int n>
-KOKKOS_FORCEINLINE_FUNCTION PackOf<double, n> estimate_inverse_sqrt(const PackOf<double, n>& x) {
-  return PackOf<double, n>(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
+inline constexpr int newton_steps = 1;
+#else
+KOKKOS_FORCEINLINE_FUNCTION Pack estimate_reciprocal(const Pack& x) {
+  return Pack(_mm512_rcp14_pd(static_cast<__m512d>(x)));
 }
-template <int n>
-KOKKOS_FORCEINLINE_FUNCTION PackOf<float, n> estimate_inverse_sqrt(const PackOf<float, n>& x) {
-  if constexpr (n == 8)
-    return PackOf<float, n>(_mm256_rsqrt14_ps(static_cast<__m256>(x)));
-  else
-    return PackOf<float, n>(_mm512_rsqrt14_ps(static_cast<__m512>(x)));
+KOKKOS_FORCEINLINE_FUNCTION Pack estimate_inverse_sqrt(const Pack& x) {
+  return Pack(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
 }
-inline constexpr int newton_steps = sizeof(Real) == sizeof(double) ? 2 : 1;
+inline constexpr int newton_steps = 2;
+#endif
 
 KOKKOS_FORCEINLINE_FUNCTION Pack reciprocal(const Pack& x) {
   Pack r = estimate_reciprocal(x);
