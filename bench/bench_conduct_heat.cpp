@@ -1,7 +1,7 @@
 // A pair: geometry 24, e.(K_i + K_j) e 26, k_ij 5, product and sum 6: 61. A particle: heat and
-// temperature 5, 1/h 1. Reals: temperature in, heat_state 2 out; position 3, smoothing_length, volume,
+// temperature 5, 1/h 1. Reals: temperature in, heat_state 2 out; position 3, inverse_support, volume,
 // heat_state 2, heat_shape 6, mass in, heat out, temperature in and out. Of a neighbour position,
-// smoothing_length, volume, heat_state, heat_shape: 13.
+// inverse_support, volume, heat_state, heat_shape: 13.
 #include "bench/support/particle_cube.hpp"
 
 namespace swarf::bench {

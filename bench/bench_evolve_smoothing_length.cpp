@@ -1,5 +1,5 @@
 // Density times volume 1, of the ratio the cube root 2, product 1. Reals: mass, density, volume in,
-// smoothing_length in and out.
+// inverse_support in and out.
 #include "bench/support/particle_cube.hpp"
 
 namespace swarf::bench {

@@ -1,5 +1,5 @@
 // Across two periodic faces of the cube; items are particles. Distance from a plane 6, twice; an image 18.
-// Reals: position 3 in, twice; of an image position 3 in and out, smoothing_length in and out. Indices: place
+// Reals: position 3 in, twice; of an image position 3 in and out, inverse_support in and out. Indices: place
 // out and in, for each plane; source of an image.
 #include "bench/support/imaged_cube.hpp"
 

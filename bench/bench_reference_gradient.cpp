@@ -1,6 +1,6 @@
 // A pair: geometry 24, V grad W 4, u_ji 6, v_ji 3, two outer products 36, A 12: 85. A particle: K_0 and its
 // blend 119, F 54, J 14, two inverses 72, J F^-T K_0 45, L 90, sym K 6, u 3, 1/h 1: 404. Reals: position 3,
-// build_position 3, velocity 3, volume, smoothing_length in; deformation_gradient 9, velocity_gradient 9,
+// build_position 3, velocity 3, volume, inverse_support in; deformation_gradient 9, velocity_gradient 9,
 // pair_stress 9, heat_shape 6 out. Of a neighbour 11.
 #include "bench/support/particle_cube.hpp"
 

@@ -1,5 +1,5 @@
 // A pair: x_ij 3, 1/h_ij 3, r^2 5, q 2, W 12, its share 5, v_ji 3, product and sum 6: 39. A particle: 1/h 1,
-// velocity 6. Reals: position 3, velocity 3, smoothing_length, volume, impedance in, drift_velocity 3 out. Of
+// velocity 6. Reals: position 3, velocity 3, inverse_support, volume, impedance in, drift_velocity 3 out. Of
 // a neighbour 9. And the constraint bits.
 #include "bench/support/particle_cube.hpp"
 

@@ -1,4 +1,4 @@
-// h / c 8, pair terms 21, rate 2; displacement 8. Reals: smoothing_length, diagonal of velocity_gradient 3,
+// h / c 8, pair terms 21, rate 2; displacement 8. Reals: inverse_support, diagonal of velocity_gradient 3,
 // position 3, build_position 3 in. And the material.
 #include "bench/support/particle_cube.hpp"
 

@@ -1,5 +1,5 @@
 // A pair: x_ij 3, 1/h_ij 3, r^2 5, q 2, W 12, its mass and the sum 3: 28. A particle: 1/h 1, density 2.
-// Reals: position 3, smoothing_length, volume, impedance, reference_summation in, density out. Of a neighbour
+// Reals: position 3, inverse_support, volume, impedance, reference_summation in, density out. Of a neighbour
 // 6.
 #include "bench/support/particle_cube.hpp"
 

@@ -1,7 +1,7 @@
 // update_images and update_image_state; items are images. Place 18, velocity 15, K sigma and artificial
 // stress 90 each, D 96, hourglass_displacement 15: 324. Reals in and out: position, velocity and
 // hourglass_displacement 3 each, pair_stress and velocity_gradient 9 each, artificial_stress 6; in both
-// launches impedance 3, volume and smoothing_length. And the source, twice.
+// launches impedance 3, volume and inverse_support. And the source, twice.
 #include "bench/support/imaged_cube.hpp"
 
 namespace swarf::bench {

@@ -1,5 +1,5 @@
 // A pair: geometry 24, v_ji 3, V grad W 4, L 18, A 12: 61. A particle: K = A^-1 and its blend 119, L K 45,
-// sym K 6, 1/h 1. Reals: position 3, velocity 3, volume, smoothing_length in, also of a neighbour;
+// sym K 6, 1/h 1. Reals: position 3, velocity 3, volume, inverse_support in, also of a neighbour;
 // velocity_gradient 9, pair_stress 9, heat_shape 6 out.
 #include "bench/support/particle_cube.hpp"
 

@@ -3,7 +3,7 @@
 // e.K_i e, e the direction of the pair: near a free surface, where neighbours are missing, the plain sum
 // conducts too little along the surface (a plate of 3 particles: 15 %; so corrected: 5 % too much), and among
 // tied particles, whose volumes fall along the ramp, too little across it. Reads temperature, heat_shape
-// (velocity_gradient.cpp), volume, smoothing_length, mass. Writes heat (J, rows [0, count + tied)) and the
+// (velocity_gradient.cpp), volume, inverse_support, mass. Writes heat (J, rows [0, count + tied)) and the
 // temperature of rows [0, count); heat_state is its own.
 #include "swarf/heat.hpp"
 #include "swarf/kernels.hpp"
@@ -39,7 +39,7 @@ void copy_to_images(const Particles& p, const Neighbors& n, const ImagePlanes& p
 KOKKOS_INLINE_FUNCTION Pack sum_heat(const Particles& p, const Neighbors& n, int cluster,
                                      const Lanes& lanes) {
   const auto x_i = lanes.load_vector(p.position);
-  const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length);
+  const Pack inverse_support_i = lanes.load(p.inverse_support);
   const Pack T_i = lanes.load(p.heat_state, 0), k_i = lanes.load(p.heat_state, 1);
   const auto K_i = lanes.load_symmetric(p.heat_shape);
   const Pack none(Kokkos::Experimental::norm_min_v<Real>); // r = 0: the particle itself; k = 0: insulators
@@ -47,11 +47,11 @@ KOKKOS_INLINE_FUNCTION Pack sum_heat(const Particles& p, const Neighbors& n, int
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
     const int j = n.neighbor(k);
     const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const Pack slope = pair_slope(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
+    const Pack slope = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
     const Pack shape =
         quadratic_form(K_i + broadcast_symmetric(p.heat_shape, j), x_ij) * reciprocal(dot(x_ij, x_ij) + none);
     const Pack k_j(p.heat_state(j, 1)), k_ij = Pack(Real(2)) * k_i * k_j * reciprocal(k_i + k_j + none);
-    sum += Pack(p.volume(j)) * shape * k_ij * (T_i - Pack(p.heat_state(j, 0))) * slope;
+    sum += shape * k_ij * (T_i - Pack(p.heat_state(j, 0))) * slope;
   }
   return sum;
 }

@@ -6,7 +6,7 @@
 // goes with the pressure, d(ln rho) = dp / K: the volume of a particle whose pressure is taken away again and
 // again would drift. So the sum of V_i is kept too, to first order, between particles of one K that are awake
 // and have not failed: the pressure of failed ones follows from their density. Reads stress, damage, K in
-// pair_stress, volume, smoothing_length, impedance; writes stress and density; moves the elastic energy that
+// pair_stress, volume, inverse_support, impedance; writes stress and density; moves the elastic energy that
 // is lost from internal_work to hourglass_work.
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
@@ -43,13 +43,13 @@ KOKKOS_INLINE_FUNCTION Vector3Of<Pack> sum_gradient(const Particles& p, const Ne
   const Pack zero(Real(0));
   Vector3Of<Pack> sum{zero, zero, zero};
   const auto x_i = lanes.load_vector(p.position);
-  const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length);
+  const Pack inverse_support_i = lanes.load(p.inverse_support);
   const Pack p_i = lanes.load(p.pressure_state, 0);
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
     const int j = n.neighbor(k);
     const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const Pack slope = pair_slope(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
-    sum = sum + (Pack(p.volume(j)) * (Pack(p.pressure_state(j, 0)) - p_i) * slope) * x_ij;
+    const Pack slope = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
+    sum = sum + ((Pack(p.pressure_state(j, 0)) - p_i) * slope) * x_ij;
   }
   return sum;
 }
@@ -72,7 +72,7 @@ KOKKOS_INLINE_FUNCTION Pack sum_diffusion(const Particles& p, const Neighbors& n
                                           const Lanes& lanes) {
   Pack sum(Real(0));
   const auto x_i = lanes.load_vector(p.position);
-  const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length), half(Real(0.5));
+  const Pack inverse_support_i = lanes.load(p.inverse_support), half(Real(0.5));
   const Pack p_i = lanes.load(p.pressure_state, 0);
   const Pack c_i = lanes.load(p.impedance, 0) / lanes.load(p.impedance, 1);
   const Vector3Of<Pack> g_i{lanes.load(p.pressure_state, 1), lanes.load(p.pressure_state, 2),
@@ -80,12 +80,12 @@ KOKKOS_INLINE_FUNCTION Pack sum_diffusion(const Particles& p, const Neighbors& n
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
     const int j = n.neighbor(k);
     const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const Pack inverse_h = mean_inverse_h(inverse_h_i, p.smoothing_length(j));
+    const Pack inverse_h = mean_inverse_h(inverse_support_i, p.inverse_support(j));
     const Vector3Of<Pack> g_j{Pack(p.pressure_state(j, 1)), Pack(p.pressure_state(j, 2)),
                               Pack(p.pressure_state(j, 3))};
     const Pack beyond_linear = p_i - Pack(p.pressure_state(j, 0)) - half * dot(g_i + g_j, x_ij);
     const Pack c = c_i + Pack(p.impedance(j, 0) / p.impedance(j, 1)); // twice the mean
-    sum += Pack(p.volume(j)) * c * reciprocal(inverse_h) * beyond_linear * pair_slope(x_ij, inverse_h);
+    sum += c * reciprocal(inverse_h) * beyond_linear * pair_slope(p.volume(j), x_ij, inverse_h);
   }
   return sum;
 }

@@ -30,7 +30,7 @@ void ensure_image_rows(Particles& p, int rows) {
   if (int(p.position.extent(0)) >= rows) return;
   const int room = rows + (rows - p.stored) / 8;
   ensure_rows(p.position, room), ensure_rows(p.velocity, room);
-  ensure_rows(p.smoothing_length, room), ensure_rows(p.volume, room);
+  ensure_rows(p.inverse_support, room), ensure_rows(p.volume, room);
   ensure_rows(p.points.velocity_gradient, room), ensure_rows(p.pair_stress, room);
   ensure_rows(p.impedance, room);
   if (p.artificial_stress.extent(0) > 0) ensure_rows(p.artificial_stress, room);
@@ -48,7 +48,7 @@ void fill_images(const Particles& p, const Neighbors& n, const ImagePlane& plane
       "fill_images", Range(begin, end), KOKKOS_LAMBDA(int k) {
         const int i = source(k), image = first + k;
         store_vector(p.position, image, apply(plane.to_image, load_vector(p.position, i)));
-        p.smoothing_length(image) = p.smoothing_length(i);
+        p.inverse_support(image) = p.inverse_support(i);
       });
 }
 

@@ -30,11 +30,24 @@ struct ForceSums {
   Pack viscous_power, hourglass_power; // sum V_j q grad W . v_ij
 };
 
+// Of the pressures of a pair, which take the mean of both particles: half of it for each. Read from memory,
+// for a compiler that knows a pack to be one number multiplies before it broadcasts: two operations, not one.
+struct Coefficients {
+  Pack linear, quadratic, hourglass, stiffness; // of Z, rho, Z, G
+  Pack half;
+
+  explicit Coefficients(const ParticleMethod& m)
+      : linear(Real(-0.5) * m.viscosity_linear), quadratic(Real(0.5) * m.viscosity_quadratic),
+        hourglass(Real(-0.5) * m.hourglass_viscosity), stiffness(Real(-0.5) * m.hourglass_stiffness),
+        half(Real(0.5)) {}
+};
+
 struct Cluster {
   Vector3Of<Pack> x, X, v, d;
   Tensor3Of<Pack> F;
-  Symmetric3Of<Pack> D, R;
-  Pack inverse_h, impedance, density, shear_modulus;
+  Symmetric3Of<Pack> D, R; // D with half its diagonal
+  Pack inverse_support;
+  Pack linear, quadratic, hourglass, stiffness; // its own part of the pair's
 };
 
 struct PairViscosity {
@@ -43,24 +56,33 @@ struct PairViscosity {
   Pack per_area;         // 1 / r2, 1/m2
 };
 
+// xv - x . (D_i + D_j) x / 2
+KOKKOS_FORCEINLINE_FUNCTION Pack beyond_linear(const Pack& xv, const Symmetric3Of<Pack>& D_i,
+                                               const Symmetric3Of<Pack>& D_j, const Vector3Of<Pack>& x,
+                                               const Pack& half) {
+  const Pack xy = D_i.xy + D_j.xy, yz = D_i.yz + D_j.yz, zx = D_i.zx + D_j.zx;
+  const Pack Dx = (D_i.xx + half * D_j.xx) * x.x + (xy * x.y + zx * x.z);
+  const Pack Dy = (D_i.yy + half * D_j.yy) * x.y + yz * x.z, Dz = (D_i.zz + half * D_j.zz) * x.z;
+  return xv - Dx * x.x - Dy * x.y - Dz * x.z;
+}
+
 // xv = x_ij . v_ij. The shock's part is zero for pairs that part; the weaker of v_ij and what is left of it
 // counts, so that it never feeds energy.
 KOKKOS_FORCEINLINE_FUNCTION PairViscosity pair_viscosity(const Cluster& i, const Particles& p, int j,
                                                          const Vector3Of<Pack>& x_ij, const Pack& xv,
-                                                         const Pack& inverse_h, const ParticleMethod& m) {
-  const Pack zero(Real(0)), half(Real(0.5));
-  const auto D = i.D + broadcast_symmetric(p.points.velocity_gradient, j);
-  const Pack beyond_linear = xv - half * quadratic_form(D, x_ij);
+                                                         const Pack& inverse_h, const Coefficients& c,
+                                                         bool reconstruct) {
+  const Pack zero(Real(0));
+  const Pack beyond =
+      beyond_linear(xv, i.D, broadcast_symmetric(p.points.velocity_gradient, j), x_ij, c.half);
   Pack approach = Kokkos::min(xv, zero);
-  if (m.reconstruct_viscosity) approach = Kokkos::max(approach, Kokkos::min(beyond_linear, zero));
-  const Pack r2h2 = dot(x_ij, x_ij) * inverse_h * inverse_h;
-  const Pack per_length = inverse_h * reciprocal(r2h2 + Pack(Real(0.01)));
-  const Pack mu = approach * per_length;
-  const Pack Z2 = i.impedance + Pack(p.impedance(j, 0)), rho2 = i.density + Pack(p.impedance(j, 1)); // twice
-  return {
-      mu * (Pack(Real(0.5) * m.viscosity_quadratic) * rho2 * mu - Pack(Real(0.5) * m.viscosity_linear) * Z2),
-      Pack(Real(-0.5) * m.hourglass_viscosity) * Z2 * (beyond_linear * per_length), beyond_linear,
-      per_length * inverse_h};
+  if (reconstruct) approach = Kokkos::max(approach, Kokkos::min(beyond, zero));
+  const Pack q2 = dot(x_ij, x_ij) * (inverse_h * inverse_h);
+  const Pack per_length = inverse_h * reciprocal(q2 + Pack(Real(0.01)));
+  const Pack mu = approach * per_length, Z_j = broadcast(p.impedance, j, 0);
+  const Pack quadratic = i.quadratic + c.quadratic * broadcast(p.impedance, j, 1);
+  return {mu * (quadratic * mu + (i.linear + c.linear * Z_j)),
+          (i.hourglass + c.hourglass * Z_j) * (beyond * per_length), beyond, per_length * inverse_h};
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const ParticleMethod& m) {
@@ -82,43 +104,43 @@ template <class T>
 KOKKOS_FORCEINLINE_FUNCTION PairSpring pair_spring(const Cluster& i, const Particles& p, int j,
                                                    const Vector3Of<Pack>& x_ij, const Vector3Of<Pack>& X_ij,
                                                    const Pack& inverse_h, const PairViscosity& q,
-                                                   const ParticleMethod& m, Real dt) {
-  const Pack half(Real(0.5)), grown = Pack(dt) * q.beyond_linear;
-  const Pack modulus = Pack(Real(-0.5) * m.hourglass_stiffness) * (i.shear_modulus + Pack(p.impedance(j, 2)));
+                                                   const Coefficients& c, Real dt) {
+  const Pack half_step(Real(0.5) * dt), modulus = i.stiffness + c.stiffness * broadcast(p.impedance, j, 2);
   if constexpr (T::initial) {
     const auto F = i.F + broadcast_tensor(p.deformation_gradient, j);
-    const Pack stretch = dot(x_ij, x_ij - half * multiply(F, X_ij));
+    const Pack stretch = dot(x_ij, x_ij - Pack(Real(0.5)) * multiply(F, X_ij));
     const Pack stiffness = modulus / (dot(X_ij, X_ij) + Pack(Real(0.01)) / (inverse_h * inverse_h));
-    return {stiffness * stretch, stiffness * (stretch - half * grown)};
+    return {stiffness * stretch, stiffness * (stretch - half_step * q.beyond_linear)};
   } else {
     const Pack stretch =
-        dot(x_ij, i.d - broadcast_vector(p.hourglass_displacement, j)) + Pack(Real(2)) * grown;
+        dot(x_ij, i.d - broadcast_vector(p.hourglass_displacement, j)) + Pack(Real(2) * dt) * q.beyond_linear;
     const Pack stiffness = modulus * q.per_area;
-    return {stiffness * stretch, stiffness * (stretch - half * grown)};
+    return {stiffness * stretch, stiffness * (stretch - half_step * q.beyond_linear)};
   }
 }
 
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const Particles& p,
-                                          const Neighbors& n, int j, const ParticleMethod& m, Real dt) {
+                                          const Neighbors& n, int j, const ParticleMethod& m,
+                                          const Coefficients& c, Real dt) {
   const auto x_ij = i.x - broadcast_vector(p.position, j);
   const auto v_ij = i.v - broadcast_vector(p.velocity, j);
-  const Pack inverse_h = mean_inverse_h(i.inverse_h, p.smoothing_length(j));
+  const Pack inverse_h = mean_inverse_h(i.inverse_support, p.inverse_support(j));
   auto X_ij = x_ij;
   if constexpr (T::initial) X_ij = i.X - broadcast_vector(n.build_position, j);
-  const Pack slope = Pack(p.volume(j)) * pair_slope(X_ij, inverse_h);
+  const Pack slope = pair_slope(p.volume(j), X_ij, inverse_h);
   const auto grad = slope * X_ij, line = slope * x_ij;
   const Pack xv = dot(x_ij, v_ij);
-  PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, m);
+  PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, c, m.reconstruct_viscosity);
   Pack hourglass = q.hourglass; // whose work counts
   if constexpr (T::stiff) {
-    const PairSpring spring = pair_spring<T>(i, p, j, x_ij, X_ij, inverse_h, q, m, dt);
+    const PairSpring spring = pair_spring<T>(i, p, j, x_ij, X_ij, inverse_h, q, c, dt);
     q.hourglass += spring.end, hourglass += spring.mean;
     if constexpr (!T::initial) s.hourglass_rate = s.hourglass_rate - q.beyond_linear * grad;
   }
   s.gradient = s.gradient + grad;
-  s.neighbor_stress =
-      s.neighbor_stress + multiply(broadcast_tensor(p.pair_stress, j), grad) - (q.shock + q.hourglass) * line;
+  add_product(s.neighbor_stress, broadcast_tensor(p.pair_stress, j), grad);
+  s.neighbor_stress = s.neighbor_stress - (q.shock + q.hourglass) * line;
   const Pack rate = slope * xv;
   s.viscous_power += q.shock * rate;
   s.hourglass_power += hourglass * rate;
@@ -132,32 +154,37 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
 
 template <class T>
 KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& n, int cluster,
-                                           const Lanes& lanes, const ParticleMethod& m, Real dt) {
+                                           const Lanes& lanes, const ParticleMethod& m, const Coefficients& c,
+                                           Real dt) {
   const Pack zero(Real(0));
   ForceSums s{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}, zero, zero};
+  const Pack impedance = lanes.load(p.impedance, 0);
+  const auto D = load_symmetric(p.points.velocity_gradient, lanes);
   const Cluster i{.x = lanes.load_vector(p.position),
                   .X = lanes.load_vector(T::initial ? n.build_position : p.position),
                   .v = lanes.load_vector(p.velocity),
                   .d = T::stiff && !T::initial ? lanes.load_vector(p.hourglass_displacement)
                                                : Vector3Of<Pack>{zero, zero, zero},
                   .F = T::stiff && T::initial ? lanes.load_tensor(p.deformation_gradient) : Tensor3Of<Pack>{},
-                  .D = load_symmetric(p.points.velocity_gradient, lanes),
+                  .D = {c.half * D.xx, c.half * D.yy, c.half * D.zz, D.xy, D.yz, D.zx},
                   .R = T::artificial ? lanes.load_symmetric(p.artificial_stress) : Symmetric3Of<Pack>{},
-                  .inverse_h = Pack(Real(1)) / lanes.load(p.smoothing_length),
-                  .impedance = lanes.load(p.impedance, 0),
-                  .density = lanes.load(p.impedance, 1),
-                  .shear_modulus = lanes.load(p.impedance, 2)};
+                  .inverse_support = lanes.load(p.inverse_support),
+                  .linear = c.linear * impedance,
+                  .quadratic = c.quadratic * lanes.load(p.impedance, 1),
+                  .hourglass = c.hourglass * impedance,
+                  .stiffness = c.stiffness * lanes.load(p.impedance, 2)};
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k)
-    add_pair<T>(s, i, p, n, n.neighbor(k), m, dt);
+    add_pair<T>(s, i, p, n, n.neighbor(k), m, c, dt);
   return s;
 }
 
 template <class T>
 void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Real dt) {
+  const Coefficients c(m);
   Kokkos::parallel_for(
       "particle_forces", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};
-        const ForceSums s = sum_pairs<T>(p, n, cluster, lanes, m, dt);
+        const ForceSums s = sum_pairs<T>(p, n, cluster, lanes, m, c, dt);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
           const Vector3 own = multiply(load_tensor(p.pair_stress, i), lane_of(s.gradient, lane));

@@ -1,7 +1,7 @@
 // XSPH (Monaghan 1989, J. Comput. Phys. 82): particles move with
 //   v_i + epsilon sum_j m_j / rho_ij (v_j - v_i) W_ij,  rho_ij = (rho_i + rho_j) / 2,
 // which is symmetric in i and j, so that the mass centre moves as before. What a face holds stays held.
-// Reads position, velocity, volume, impedance, smoothing_length, constraints; writes drift_velocity, rows
+// Reads position, velocity, volume, impedance, inverse_support, constraints; writes drift_velocity, rows
 // [0, count).
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
@@ -14,12 +14,12 @@ KOKKOS_INLINE_FUNCTION Vector3Of<Pack> sum_differences(const Particles& p, const
   const Pack zero(Real(0));
   Vector3Of<Pack> sum{zero, zero, zero};
   const auto x_i = lanes.load_vector(p.position), v_i = lanes.load_vector(p.velocity);
-  const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length);
+  const Pack inverse_support_i = lanes.load(p.inverse_support);
   const Pack rho_i = lanes.load(p.impedance, 1);
   for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
     const int j = n.neighbor(k);
     const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const Pack W = pair_weight(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
+    const Pack W = pair_weight(x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
     const Pack rho_j(p.impedance(j, 1)); // mass-scaled, as rho_i: the factor cancels
     const Pack share = Pack(Real(2) * p.volume(j)) * rho_j * reciprocal(rho_i + rho_j);
     sum = sum + (share * W) * (broadcast_vector(p.velocity, j) - v_i);

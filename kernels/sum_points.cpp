@@ -22,8 +22,9 @@ KOKKOS_INLINE_FUNCTION void add_point(PointSums& s, const MaterialPoints& p, int
 } // namespace
 
 // What has retired counts in the sums, not in the extremes: those are of what is computed.
-PointSums sum_particles(const Particles& p, Real mass_factor) {
-  const auto add = KOKKOS_LAMBDA(int i, PointSums& sums) {
+PointSums sum_particles(const Particles& p, Real mass_factor, int begin, int end) {
+  const auto add = KOKKOS_LAMBDA(int row, PointSums& sums) {
+    const int i = begin + row;
     const bool retired = p.constraints(i) & retired_bit;
     PointSums apart;
     PointSums& s = retired ? apart : sums;
@@ -39,7 +40,7 @@ PointSums sum_particles(const Particles& p, Real mass_factor) {
     apart.max_temperature = apart.max_plastic_strain = apart.max_speed = 0;
     sums.add(apart);
   };
-  return block_sum<PointSums>("sum_particles", p.stored, add);
+  return block_sum<PointSums>("sum_particles", end - begin, add);
 }
 
 PointSums sum_hexes(const HexMesh& m, Real mass_factor) {

@@ -27,7 +27,9 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
       "tool_contact", UnevenRange(0, points.count), KOKKOS_LAMBDA(const int i) {
         if (points.area(i) == 0) return;
         const Vector3 x = load_vector(points.position, i);
-        const ToolDistance at = signed_distance(tool, to_tool(frame, x));
+        const Vector3 on_tool = to_tool(frame, x);
+        const ToolDistance at =
+            is_beyond(tool, on_tool, points.gap(i)) ? ToolDistance{} : signed_distance(tool, on_tool);
         const bool touches = at.where == ToolDistance::Where::near && at.distance < points.gap(i);
         const Vector3 friction_force = load_vector(points.friction_force, i);
         if (!touches && rests(friction_force)) return store_contact(points, i, ContactResponse{});

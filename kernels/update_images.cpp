@@ -15,7 +15,7 @@ void update_images(const Particles& p, const Neighbors& n, const ImagePlanes& pl
           store_vector(p.position, to, apply(map, load_vector(p.position, i)));
           store_vector(p.velocity, to, multiply(map.R, load_vector(p.velocity, i)));
           p.volume(to) = p.volume(i);
-          p.smoothing_length(to) = p.smoothing_length(i);
+          p.inverse_support(to) = p.inverse_support(i);
           for (int c = 0; c < 3; ++c) p.impedance(to, c) = p.impedance(i, c);
         });
   }
@@ -45,7 +45,7 @@ void update_image_state(const Particles& p, const Neighbors& n, const ImagePlane
             store_tensor(p.deformation_gradient, to, multiply(multiply(R, F), transpose(R)));
           }
           p.volume(to) = p.volume(i); // the stress update changed the density
-          p.smoothing_length(to) = p.smoothing_length(i);
+          p.inverse_support(to) = p.inverse_support(i);
         });
   }
 }

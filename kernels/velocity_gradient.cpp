@@ -1,6 +1,6 @@
 // L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] K_i,  K_i = [sum_j V_j (x_j - x_i) (x) grad W_ij]^-1
 // Randles & Libersky (1996): exact for a linear velocity field on any set of neighbours.
-// Reads position, velocity, volume, smoothing_length. Writes velocity_gradient, K to pair_stress and
+// Reads position, velocity, volume, inverse_support. Writes velocity_gradient, K to pair_stress and
 // heat_shape, rows [0, count + tied).
 #include "correction.hpp"
 #include "swarf/pair.hpp"
@@ -23,7 +23,7 @@ KOKKOS_FORCEINLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const
   GradientSums s{{zero, zero, zero, zero, zero, zero, zero, zero, zero},
                  {zero, zero, zero, zero, zero, zero}};
   const auto x_i = lanes.load_vector(p.position), v_i = lanes.load_vector(p.velocity);
-  const Pack inverse_h_i = Pack(Real(1)) / lanes.load(p.smoothing_length);
+  const Pack inverse_support_i = lanes.load(p.inverse_support);
   Pack slope[pair_chunk]; // V_j (dW/dr) / r
   const long end = n.start(cluster + 1);
   for (long begin = n.start(cluster); begin < end; begin += pair_chunk) {
@@ -32,7 +32,7 @@ KOKKOS_FORCEINLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const
     for (int k = 0; k < count; ++k) {
       const int j = row[k];
       const auto x_ij = x_i - broadcast_vector(p.position, j);
-      slope[k] = Pack(p.volume(j)) * pair_slope(x_ij, mean_inverse_h(inverse_h_i, p.smoothing_length(j)));
+      slope[k] = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
     }
     for (int k = 0; k < count; ++k) {
       const int j = row[k];

@@ -189,7 +189,7 @@ void set_new_rows(const Deck& deck, const Scene& scene, Particles& p, const Rows
   const HexConversion& of = *scene.conversion;
   const auto node_x = host_copy(scene.hexes.position), node_v = host_copy(scene.hexes.velocity);
   const auto x = host_copy(p.position), v = host_copy(p.velocity), impedance = host_copy(p.impedance);
-  const auto h = host_copy(p.smoothing_length), gap = host_copy(p.contact_gap),
+  const auto inverse_support = host_copy(p.inverse_support), gap = host_copy(p.contact_gap),
              area = host_copy(p.contact_area), volume = host_copy(p.volume), mass = host_copy(p.points.mass),
              density = host_copy(p.points.density);
   const auto body = host_copy(p.body), identity = host_copy(p.identity);
@@ -204,9 +204,9 @@ void set_new_rows(const Deck& deck, const Scene& scene, Particles& p, const Rows
     area(i) = i < rows.free ? Real(std::pow(double(volume(i)), 2.0 / 3.0)) : Real(0);
     const Real scaled = Real(deck.run.mass_factor) * density(i);
     const bool is_new = rows.source[std::size_t(i)] < 0;
-    if (is_new) h(i) = Real(deck.particles.smoothing_ratio * lattice.spacing);
+    if (is_new) inverse_support(i) = Real(0.5 / (deck.particles.smoothing_ratio * lattice.spacing));
     if (deck.particles.smoothing_length == "evolving")
-      h(i) *= std::cbrt(is_new ? material.density / density(i) : impedance(i, 1) / scaled);
+      inverse_support(i) *= std::cbrt(is_new ? density(i) / material.density : scaled / impedance(i, 1));
     impedance(i, 0) = scaled * longitudinal_wave_speed(material) / Real(std::sqrt(deck.run.mass_factor));
     impedance(i, 1) = scaled, impedance(i, 2) = material.shear_modulus;
     const auto N = HexConversion::shape(lattice.n, c.cell);
@@ -219,7 +219,7 @@ void set_new_rows(const Deck& deck, const Scene& scene, Particles& p, const Rows
     store_vector(x, i, place), store_vector(v, i, velocity);
   }
   Kokkos::deep_copy(p.position, x), Kokkos::deep_copy(p.velocity, v), Kokkos::deep_copy(p.volume, volume);
-  Kokkos::deep_copy(p.smoothing_length, h), Kokkos::deep_copy(p.impedance, impedance);
+  Kokkos::deep_copy(p.inverse_support, inverse_support), Kokkos::deep_copy(p.impedance, impedance);
   Kokkos::deep_copy(p.contact_gap, gap), Kokkos::deep_copy(p.contact_area, area);
   Kokkos::deep_copy(p.body, body), Kokkos::deep_copy(p.identity, identity);
 }

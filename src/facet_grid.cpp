@@ -203,19 +203,36 @@ void upload(Field& field, const char* label, const Data& data) {
   Kokkos::deep_copy(field, host);
 }
 
-void upload_grid(Tool& tool, const Candidates& candidates, const std::vector<char>& deep) {
+// Of the centre of a cell from the facet that is nearest to it.
+Real centre_distance(const GridBuilder& grid, long c, int facet, const Pseudonormals& normals) {
+  const int* n = grid.tool.cells;
+  const Vector3 x = grid.centre(int(c % n[0]), int(c / n[0] % n[1]), int(c / n[0] / n[1]));
+  const NearestOnTriangle nearest = nearest_on_triangle(grid.triangles[std::size_t(facet)], x);
+  const Vector3 d = x - nearest.point;
+  return dot(d, to_vector(normals[std::size_t(facet)][std::size_t(nearest.feature)])) < 0 ? -norm(d)
+                                                                                          : norm(d);
+}
+
+void upload_grid(Tool& tool, const GridBuilder& grid, const Candidates& candidates,
+                 const std::vector<char>& deep, const Pseudonormals& normals) {
   std::vector<int> start{0}, facet;
-  std::vector<Real> distance;
+  std::vector<Real> distance, of_centre;
   start.reserve(candidates.start.size());
   for (std::size_t c = 0; c + 1 < candidates.start.size(); ++c) {
     for (int e = candidates.start[c]; e < candidates.start[c + 1]; ++e)
       facet.push_back(candidates.listed[e].second), distance.push_back(candidates.listed[e].first);
+    const bool empty = candidates.start[c] == candidates.start[c + 1];
+    const Real far = std::numeric_limits<Real>::infinity();
+    of_centre.push_back(
+        empty ? (deep[c] ? -far : far)
+              : centre_distance(grid, long(c), candidates.listed[candidates.start[c]].second, normals));
     if (deep[c]) facet.push_back(Tool::deep_inside), distance.push_back(0);
     start.push_back(int(facet.size()));
   }
   upload(tool.cell_start, "tool_cell_start", start);
   upload(tool.cell_facet, "tool_cell_facet", facet);
   upload(tool.facet_distance, "tool_facet_distance", distance);
+  upload(tool.cell_distance, "tool_cell_distance", of_centre);
 }
 
 void upload_facets(Tool& tool, const FacetSurface& surface, const Pseudonormals& normals) {
@@ -246,7 +263,7 @@ Tool build_tool(const FacetSurface& surface, const ToolDeck& deck, double reach)
   grid.place(reach);
   const Candidates candidates = find_candidates(grid);
   Tool tool = grid.tool;
-  upload_grid(tool, candidates, find_deep_cells(grid, candidates, normals));
+  upload_grid(tool, grid, candidates, find_deep_cells(grid, candidates, normals), normals);
   upload_facets(tool, surface, normals);
   tool.teeth = std::max(1, deck.flutes);
   if (deck.kind == "end_mill") tool.twist = Real(std::tan(deck.helix) / (deck.diameter / 2));

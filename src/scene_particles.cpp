@@ -90,9 +90,9 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   p.velocity =
       upload<VectorField>("velocity", n, vector([](const Row& r) { return r.body->deck->velocity; }));
   p.volume = upload<ScalarField>("volume", n, scalar([](const Row& r) { return r.volume; }));
-  p.smoothing_length = upload<ScalarField>("smoothing_length", n, scalar([&](const Row& r) {
-                                             return deck.particles.smoothing_ratio * r.body->points.spacing;
-                                           }));
+  p.inverse_support = upload<ScalarField>(
+      "inverse_support", n,
+      scalar([&](const Row& r) { return 0.5 / (deck.particles.smoothing_ratio * r.body->points.spacing); }));
   p.contact_gap = upload<ScalarField>("contact_gap", n, scalar([](const Row& r) { return r.gap; }));
   p.contact_area = upload<ScalarField>("contact_area", n, scalar([](const Row& r) {
                                          return r.is_tied ? 0.0 : std::pow(r.volume, 2.0 / 3.0);

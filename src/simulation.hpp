@@ -98,6 +98,8 @@ class Simulation {
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;
   PointSums of_particles, of_hexes; // at the last check()
+  PointSums of_asleep;              // of the particles: does not change until others sleep
+  bool others_sleep = true;
   bool lists_due = false, rest_due = false;
   double rested_at = 0;       // s
   VectorField first_position; // of each particle's identity; 0 rows where nothing retires

@@ -44,6 +44,7 @@ void Simulation::convert() {
   if (chosen.empty()) return;
   const double before = energy_in_contact();
   convert_hexes(deck, model, chosen);
+  others_sleep = true;
   lost_in_conversion += before - energy_in_contact();
   ensure_rows(loads.blocks, std::size_t(model.particles.count / ToolLoadSums::block + 1));
   lists_due = true;

@@ -151,7 +151,12 @@ void Simulation::check() {
   const bool lists_age = model.particles.count > 0 && !particle_method.initial_frame;
   const double room = 0.5 * (double(lists.skin) - double(limit.approach)); // of each of a pair
   if (lists_age && room < 0) fail(Fault::skin_exceeded, "");
-  of_particles = sum_particles(model.particles, Real(mass_factor));
+  const int awake = model.particles.count + model.particles.tied;
+  if (others_sleep)
+    of_asleep = sum_particles(model.particles, Real(mass_factor), awake, model.particles.stored);
+  others_sleep = false;
+  of_particles = sum_particles(model.particles, Real(mass_factor), 0, awake);
+  of_particles.add(of_asleep);
   of_hexes = sum_hexes(model.hexes, Real(mass_factor));
   const double speed = double(std::max(of_particles.max_speed, of_hexes.max_speed));
   // Twice the present speed, or the tool's, is allowed for until the next look.

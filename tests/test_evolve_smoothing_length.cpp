@@ -16,9 +16,9 @@ TEST(EvolveSmoothingLength, FollowsTheCubeRootOfTheVolume) {
     Kokkos::deep_copy(p.points.density, rho);
     evolve_smoothing_length(p);
     prepare_pair_state(p, b.materials, b.method); // V = m / rho
-    const auto found = host_copy(p.smoothing_length);
+    const auto found = host_copy(p.inverse_support);
     for (int i = 0; i < p.count; ++i)
-      EXPECT_NEAR(double(found(i)) / (h * std::cbrt(1 / ratio(step, i))), 1, step * tolerance);
+      EXPECT_NEAR(2 * double(found(i)) * h * std::cbrt(1 / ratio(step, i)), 1, step * tolerance);
   }
 }
 

@@ -20,9 +20,9 @@ HexMethod bare_hexes(Real mass_factor) {
 TEST(StableStep, OfTheFinestParticle) {
   ParticleBlock b = particle_block(6, 5, 4, Real(1e-3));
   build_lists(b);
-  const auto h = host_copy(b.particles.smoothing_length);
-  h(17) = Real(0.7e-3);
-  Kokkos::deep_copy(b.particles.smoothing_length, h);
+  const auto inverse_support = host_copy(b.particles.inverse_support);
+  inverse_support(17) = Real(0.5 / 0.7e-3);
+  Kokkos::deep_copy(b.particles.inverse_support, inverse_support);
   const auto x = host_copy(b.particles.position);
   x(5, 1) += Real(3e-5), x(5, 2) -= Real(4e-5), x(9, 0) += Real(2e-5), x(30, 0) -= Real(1e-5);
   Kokkos::deep_copy(b.particles.position, x);

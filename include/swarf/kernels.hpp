@@ -142,7 +142,10 @@ struct PointSums {
     max_speed = Kokkos::max(max_speed, o.max_speed);
   }
 };
-PointSums sum_particles(const Particles&, Real mass_factor);
+PointSums sum_particles(const Particles&, Real mass_factor, int begin, int end); // of rows [begin, end)
+inline PointSums sum_particles(const Particles& p, Real mass_factor) {
+  return sum_particles(p, mass_factor, 0, p.stored);
+}
 PointSums sum_hexes(const HexMesh&, Real mass_factor);
 
 struct StableStep {

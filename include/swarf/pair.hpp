@@ -29,15 +29,33 @@ struct Lanes {
   }
 };
 
+// Component c of row i. On a CPU rows are contiguous, so that fields of the same width share one index: a
+// View's own, whose strides are known when it runs, costs a quarter of the instructions of a pair.
+template <class Field>
+KOKKOS_FORCEINLINE_FUNCTION auto row_of(const Field& f, int i) {
+#ifdef SWARF_ONE_LANE
+  return [&f, i](int c) { return f(i, c); };
+#else
+  static_assert(std::is_same_v<typename Field::array_layout, Kokkos::LayoutRight>);
+  return [row = f.data() + std::size_t(i) * Field::static_extent(1)](int c) { return row[c]; };
+#endif
+}
+template <class Field>
+KOKKOS_FORCEINLINE_FUNCTION Pack broadcast(const Field& f, int i, int component) {
+  return Pack(row_of(f, i)(component));
+}
 KOKKOS_FORCEINLINE_FUNCTION Vector3Of<Pack> broadcast_vector(const VectorField& f, int j) {
-  return {Pack(f(j, 0)), Pack(f(j, 1)), Pack(f(j, 2))};
+  const auto row = row_of(f, j);
+  return {Pack(row(0)), Pack(row(1)), Pack(row(2))};
 }
 KOKKOS_FORCEINLINE_FUNCTION Symmetric3Of<Pack> broadcast_symmetric(const SymmetricField& f, int j) {
-  return {Pack(f(j, 0)), Pack(f(j, 1)), Pack(f(j, 2)), Pack(f(j, 3)), Pack(f(j, 4)), Pack(f(j, 5))};
+  const auto row = row_of(f, j);
+  return {Pack(row(0)), Pack(row(1)), Pack(row(2)), Pack(row(3)), Pack(row(4)), Pack(row(5))};
 }
 KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> broadcast_tensor(const TensorField& f, int j) {
-  return {Pack(f(j, 0)), Pack(f(j, 1)), Pack(f(j, 2)), Pack(f(j, 3)), Pack(f(j, 4)),
-          Pack(f(j, 5)), Pack(f(j, 6)), Pack(f(j, 7)), Pack(f(j, 8))};
+  const auto row = row_of(f, j);
+  return {Pack(row(0)), Pack(row(1)), Pack(row(2)), Pack(row(3)), Pack(row(4)),
+          Pack(row(5)), Pack(row(6)), Pack(row(7)), Pack(row(8))};
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Vector3 lane_of(const Vector3Of<Pack>& v, int lane) {
@@ -53,6 +71,14 @@ KOKKOS_FORCEINLINE_FUNCTION Tensor3 lane_of(const Tensor3Of<Pack>& t, int lane) 
           lane_of(t.zx, lane), lane_of(t.zy, lane), lane_of(t.zz, lane)};
 }
 
+// sum += a v, in multiplications that add
+KOKKOS_FORCEINLINE_FUNCTION void add_product(Vector3Of<Pack>& sum, const Tensor3Of<Pack>& a,
+                                             const Vector3Of<Pack>& v) {
+  sum.x = sum.x + a.xx * v.x + a.xy * v.y + a.xz * v.z;
+  sum.y = sum.y + a.yx * v.x + a.yy * v.y + a.yz * v.z;
+  sum.z = sum.z + a.zx * v.x + a.zy * v.y + a.zz * v.z;
+}
+
 // x . a x
 KOKKOS_FORCEINLINE_FUNCTION Pack quadratic_form(const Symmetric3Of<Pack>& a, const Vector3Of<Pack>& x) {
   const Pack two(Real(2));
@@ -65,12 +91,13 @@ KOKKOS_FORCEINLINE_FUNCTION Symmetric3Of<Pack> load_symmetric(const TensorField&
   return {i.load(f, 0), i.load(f, 4), i.load(f, 8), i.load(f, 1), i.load(f, 5), i.load(f, 2)};
 }
 KOKKOS_FORCEINLINE_FUNCTION Symmetric3Of<Pack> broadcast_symmetric(const TensorField& f, int j) {
-  return {Pack(f(j, 0)), Pack(f(j, 4)), Pack(f(j, 8)), Pack(f(j, 1)), Pack(f(j, 5)), Pack(f(j, 2))};
+  const auto row = row_of(f, j);
+  return {Pack(row(0)), Pack(row(4)), Pack(row(8)), Pack(row(1)), Pack(row(5)), Pack(row(2))};
 }
 
 // Symmetric in i and j, so that pair forces cancel to the last bit: 1/h_ij = (1/h_i + 1/h_j) / 2.
-KOKKOS_FORCEINLINE_FUNCTION Pack mean_inverse_h(const Pack& inverse_h_i, Real h_j) {
-  return Pack(Real(0.5)) * (inverse_h_i + Pack(Real(1) / h_j));
+KOKKOS_FORCEINLINE_FUNCTION Pack mean_inverse_h(const Pack& inverse_support_i, Real inverse_support_j) {
+  return inverse_support_i + Pack(inverse_support_j);
 }
 
 // W_ij at h_ij.
@@ -78,10 +105,13 @@ KOKKOS_FORCEINLINE_FUNCTION Pack pair_weight(const Vector3Of<Pack>& x_ij, const 
   return inverse_h * inverse_h * inverse_h * kernel_shape(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h);
 }
 
-// (dW/dr) / r at h_ij: grad_i W_ij is this times x_ij.
-KOKKOS_FORCEINLINE_FUNCTION Pack pair_slope(const Vector3Of<Pack>& x_ij, const Pack& inverse_h) {
-  const Pack inverse_h2 = inverse_h * inverse_h;
-  return inverse_h2 * inverse_h2 * inverse_h * kernel_slope(dot(x_ij, x_ij) * inverse_h2);
+// V_j (dW/dr) / r at h_ij: V_j grad_i W_ij is this times x_ij. What is known first is multiplied first: the
+// kernel's root is what a pair waits for.
+KOKKOS_FORCEINLINE_FUNCTION Pack pair_slope(Real volume_j, const Vector3Of<Pack>& x_ij,
+                                            const Pack& inverse_h) {
+  const Pack inverse_h2 = inverse_h * inverse_h,
+             scale = Pack(volume_j) * (inverse_h2 * inverse_h2 * inverse_h);
+  return scale * kernel_slope(dot(x_ij, x_ij) * inverse_h2);
 }
 
 } // namespace swarf

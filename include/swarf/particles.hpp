@@ -18,11 +18,11 @@ struct Particles {
   int total = 0;
   int whole = 0; // particles awake and asleep: those whose identity is less; the others are tied
 
-  VectorField position;         // m
-  VectorField velocity;         // m/s
-  VectorField force;            // N, rows [0, count + tied)
-  ScalarField smoothing_length; // m
-  ScalarField volume;           // m3
+  VectorField position;        // m
+  VectorField velocity;        // m/s
+  VectorField force;           // N, rows [0, count + tied)
+  ScalarField inverse_support; // 1/m, 1 / (2 h): a pair takes the sum of two, and divides by nothing
+  ScalarField volume;          // m3
 
   TensorField deformation_gradient; // F, rows [0, count + tied); 0 rows in the current frame
 
@@ -61,7 +61,7 @@ struct Particles {
   void for_each_field(Visitor&& visit) {
     points.for_each_field(visit);
     visit("position", position), visit("velocity", velocity), visit("force", force);
-    visit("smoothing_length", smoothing_length), visit("volume", volume), visit("impedance", impedance);
+    visit("inverse_support", inverse_support), visit("volume", volume), visit("impedance", impedance);
     visit("reference_summation", reference_summation);
     visit("hourglass_displacement", hourglass_displacement), visit("hourglass_rate", hourglass_rate);
     visit("friction_force", friction_force), visit("contact_force", contact_force);
@@ -80,6 +80,8 @@ struct Particles {
     visit("pressure_state", pressure_state);
     visit("heat_state", heat_state), visit("heat_shape", heat_shape);
   }
+
+  SWARF_FN Real smoothing_length(int i) const { return Real(0.5) / inverse_support(i); } // m
 };
 
 } // namespace swarf

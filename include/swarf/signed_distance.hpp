@@ -108,6 +108,13 @@ SWARF_FN ToolDistance signed_distance(const Tool& tool, const Vector3& x) {
   return result;
 }
 
+// Whether x lies outside the tool and surely farther from it than `gap`, by what is known of its cell: a
+// distance changes by no more than the point moves.
+SWARF_FN bool is_beyond(const Tool& tool, const Vector3& x, Real gap) {
+  const CellPlace place = find_cell(tool, x);
+  return place.cell < 0 || tool.cell_distance(place.cell) > Real(1.00001) * (gap + place.from_centre);
+}
+
 // Whether x lies in the tool, or nearer to it than `distance`, which is at most tool.reach.
 SWARF_FN bool is_within(const Tool& tool, const Vector3& x, Real distance) {
   if (tool.facets == 0) return false;

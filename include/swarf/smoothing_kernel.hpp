@@ -20,11 +20,11 @@ KOKKOS_FORCEINLINE_FUNCTION S kernel_shape(const S& q) {
 // special.
 template <class S>
 KOKKOS_FORCEINLINE_FUNCTION S kernel_slope(const S& q2) {
-  const S inverse_q = inverse_sqrt(Kokkos::max(q2, S(Real(1e-30)))), q = q2 * inverse_q;
-  const S far = Kokkos::max(S(Real(2)) - q, S(Real(0)));
-  const S inside = S(Real(2.25)) * q - S(Real(3));
-  const S outside = S(Real(-0.75)) * far * far * inverse_q;
-  return S(inverse_pi) * select(q < S(Real(1)), inside, outside);
+  constexpr Real c = Real(0.75) * inverse_pi;
+  const S above_0 = q2 + S(Real(1e-30)), inverse_q = inverse_sqrt(above_0), q = above_0 * inverse_q;
+  const S inside = S(3 * c) * q - S(4 * c);
+  const S outside = (S(c) * q - S(2 * c)) * (Kokkos::max(S(Real(2)) - q, S(Real(0))) * inverse_q);
+  return select(q < S(Real(1)), inside, outside);
 }
 
 } // namespace swarf

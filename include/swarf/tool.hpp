@@ -51,6 +51,7 @@ struct Tool {
   int cells[3] = {0, 0, 0};
   IndexField cell_start, cell_facet; // CSR; cell (i,j,k) at i + cells[0] * (j + cells[1] * k)
   ScalarField facet_distance;        // m, of each listed facet from the cell's centre; rising within a cell
+  ScalarField cell_distance;         // m, signed, of the cell's centre; of a cell without facets -+ infinite
   Real reach = 0;                    // m
   int teeth = 1;                     // tooth 0 at +y, the others counter-clockwise from it
   Real twist = 0;                    // rad/m, by which the edges turn counter-clockwise along +z

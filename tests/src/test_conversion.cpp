@@ -298,9 +298,9 @@ TEST(Conversion, MakesTheSceneThatADeckWithABandOfParticlesBuilds) {
   expect_equal(masses_by_place(built, 0, a.count), masses_by_place(converted, 0, b.count));
   expect_equal(masses_by_place(built, a.count, a.count + a.tied),
                masses_by_place(converted, b.count, b.count + b.tied));
-  const auto h = host_copy(b.smoothing_length), gap = host_copy(b.contact_gap),
+  const auto inverse_support = host_copy(b.inverse_support), gap = host_copy(b.contact_gap),
              area = host_copy(b.contact_area);
-  EXPECT_NEAR(h(0) / host_copy(a.smoothing_length)(0), 1, 10 * round_off);
+  EXPECT_NEAR(inverse_support(0) / host_copy(a.inverse_support)(0), 1, 10 * round_off);
   EXPECT_NEAR(gap(0) / host_copy(a.contact_gap)(0), 1, 10 * round_off);
   EXPECT_NEAR(area(0) / host_copy(a.contact_area)(0), 1, 10 * round_off);
   EXPECT_EQ(area(b.count), 0);

@@ -97,6 +97,33 @@ void expect_exact(const FacetSurface& surface, const ToolDeck& deck, double reac
   EXPECT_GT(inside, count / 20);
 }
 
+// What a cell says of all its points is true of each, and of most points outside it says enough.
+TEST(ToolDistance, BeyondIsOutsideAndFarther) {
+  const double reach = 5e-6, gap = 1e-6;
+  const FacetSurface surface = make_tool_surface(make_mill(), "");
+  const Tool tool = build_tool(surface, make_mill(), reach);
+  const auto points = scatter_points(surface, reach, 2000);
+  const View<Vector3*> x("x", points.size());
+  const View<int*> result("result", points.size());
+  const auto host = Kokkos::create_mirror_view(x);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    host(i) = {Real(points[i][0]), Real(points[i][1]), Real(points[i][2])};
+  Kokkos::deep_copy(x, host);
+  Kokkos::parallel_for(
+      "beyond", Range(0, int(points.size())),
+      KOKKOS_LAMBDA(const int i) { result(i) = is_beyond(tool, x(i), Real(gap)); });
+  const auto beyond = host_copy(result);
+  int farther = 0, said = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double exact = exact_distance(surface, points[i]);
+    farther += exact > gap, said += beyond(i);
+    if (beyond(i)) {
+      EXPECT_GT(exact, gap * (1 - 1e-4)) << i;
+    }
+  }
+  EXPECT_GT(said, farther / 2);
+}
+
 TEST(ToolDistance, DistanceIsExactOnAMill) {
   expect_exact(make_tool_surface(make_mill(), ""), make_mill(), 5e-6, 2000);
 }

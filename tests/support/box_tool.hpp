@@ -52,6 +52,7 @@ inline Tool make_box_tool(const std::array<double, 3>& half, double margin) {
   tool.reach = Real(margin);
   tool.cell_start = IndexField("cell_start", 2), tool.cell_facet = IndexField("cell_facet", 12);
   tool.facet_distance = ScalarField("facet_distance", 12); // 0: every facet is looked at
+  tool.cell_distance = ScalarField("cell_distance", 1);    // 0: the cell says nothing
   const auto start = Kokkos::create_mirror_view(tool.cell_start);
   const auto facet = Kokkos::create_mirror_view(tool.cell_facet);
   start(0) = 0, start(1) = 12;

@@ -52,7 +52,7 @@ inline ParticleBlock particle_block(int nx, int ny, int nz, Real spacing, Real d
   const Real volume = spacing * spacing * spacing;
   Kokkos::deep_copy(p.volume, volume), Kokkos::deep_copy(p.points.mass, volume * materials(0).density);
   Kokkos::deep_copy(p.points.density, materials(0).density);
-  Kokkos::deep_copy(p.smoothing_length, ratio * spacing);
+  Kokkos::deep_copy(p.inverse_support, Real(0.5) / (ratio * spacing));
   b.neighbors.skin = Real(0.1) * 2 * ratio * spacing;
   b.neighbors.cutoff = 2 * ratio * spacing + b.neighbors.skin;
   b.method.spacing_ratio = 1 / ratio;
