@@ -1,5 +1,5 @@
-// Two passes over the pairs. Gradient: geometry 24, V (p_j - p_i) grad W 9. Diffusion: geometry 24, what the
-// gradients do not explain 11, c 2, product and sum 5: 75. A particle: p 3, K times the gradient 15,
+// Two passes over the pairs. Gradient: geometry 22, V (p_j - p_i) grad W 9. Diffusion: geometry 22, what the
+// gradients do not explain 11, c 2, product and sum 5: 71. A particle: p 3, K times the gradient 15,
 // changes 23. Reals: stress 3 in, pressure_state 4 out; position 3, inverse_support, volume, p, correction 9
 // in, gradient 3 out; position 3, inverse_support, volume, pressure_state 4, impedance 2, velocity_gradient
 // 3 in, stress 3, density and two works in and out. Of a neighbour 6 and 11.
