@@ -39,7 +39,9 @@ SCENE_ASLEEP = {"sleep": {"distance": re.search(r'\n\[sleep\]\ndistance = "([^"]
 PARTS = {"asleep": {"sleep": {"distance": SLEEP_DISTANCE}},
          "asleep_nearer": {"sleep": {"distance": "48 um"}},
          "retired": {"sleep": {"distance": SLEEP_DISTANCE}, "retire": {"distance": RETIRE_DISTANCE}}}
+SCENE_MASS = "2e4"  # the same windows asleep under twice the scene's mass factor
 CUTTING = "tooth1_"  # with a helix the tooth before still leaves while this one enters: a window has not that one
+SCENES = ("scene", "scene_asleep", "scene_mass")  # windows of the whole scene
 BIN = 1.0  # deg
 
 
@@ -49,9 +51,11 @@ def read_whole_and_awake(deck):
     return re.sub(r"\n\[sleep\]\n(.+\n)*", "", text)
 
 
-def write_deck(name, deck, sections):
+def write_deck(name, deck, sections, mass_factor=None):
     RESULTS.mkdir(parents=True, exist_ok=True)
     text = read_whole_and_awake(deck)
+    if mass_factor:
+        text = re.sub(r"\nmass_factor = \S+", f"\nmass_factor = {mass_factor}", text)
     file = RESULTS / f"{name}.toml"
     for section, keys in sections.items():
         text += f"\n[{section}]\n" + "".join(f'{key} = "{value}"\n' for key, value in keys.items())
@@ -59,9 +63,9 @@ def write_deck(name, deck, sections):
     return file
 
 
-def run_windows(program, name, deck, windows, **more):
+def run_windows(program, name, deck, windows, mass_factor=None, **more):
     keys = {key: f"{value} deg" for key, value in windows.items()}
-    subprocess.run([program, "run", write_deck(name, deck, {**more, "windows": keys}), "--output", RESULTS / name, "--threads", "1",
+    subprocess.run([program, "run", write_deck(name, deck, {**more, "windows": keys}, mass_factor), "--output", RESULTS / name, "--threads", "1",
                     "--no-pictures", "--resume"], check=True)
 
 
@@ -76,6 +80,7 @@ def run(program):
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
         run_windows(program, "scene_asleep", SCENE, SCENE_WINDOWS, **SCENE_ASLEEP)
+        run_windows(program, "scene_mass", SCENE, SCENE_WINDOWS, SCENE_MASS, **SCENE_ASLEEP)
         for name, run_in in SCENE_PROBES.items():
             one = {"first": SCENE_PROBED, "last": SCENE_PROBED, "run_in": run_in}
             run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, **SCENE_ASLEEP)
@@ -170,8 +175,8 @@ def sleep_distance(deck):
     return found and f"{1e6 * float(found[1]):g} um"
 
 
-def courant(deck):
-    return float(re.search(r"\ncourant = (\S+)", deck.read_text())[1])
+def number(key, deck):
+    return float(re.search(rf"\n{key} = (\S+)", deck.read_text())[1])
 
 
 def measure_probe(name, keys):
@@ -215,8 +220,9 @@ def measure_scene(name):
         row |= {key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")}
         row |= {"peak_memory_bytes": summary["cost"]["peak_memory_bytes"]}
         row |= {"energy_residual": summary["energies"]["worst_residual_over_external"]}
-    return {"deck": str(SCENE.relative_to(ROOT)), **SCENE_WINDOWS, "rows": rows,
-            "distance": sleep_distance(folder / next(iter(names.values())) / "deck.toml"),
+    deck = folder / next(iter(names.values())) / "deck.toml"
+    return {"deck": str(SCENE.relative_to(ROOT)), **SCENE_WINDOWS, "rows": rows, "distance": sleep_distance(deck),
+            **{key: number(key, deck) for key in ("courant", "mass_factor")}, "machine": processor(),
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
 
 
@@ -249,14 +255,14 @@ def main():
     for name in (*PARTS, "scene_pass"):
         if (RESULTS / name / "summary.json").exists():
             found[name] = measure_part(name)
-    for name in ("scene", "scene_asleep"):
+    for name in SCENES:
         if (RESULTS / name / "windows.csv").exists():
             found[name] = measure_scene(name)
     if "scene_pass" in found and (RESULTS / "scene_pass").exists():
         whole = read_samples(RESULTS / "scene_pass", CUTTING)
-        for name in {"scene", "scene_asleep"} & found.keys():
+        for name in set(SCENES) & found.keys():
             set_beside_pass(found[name]["rows"], whole, SCENE_WINDOWS["width"])
-        found["scene_pass"] |= {"machine": processor(), "courant": courant(RESULTS / "scene_pass" / "deck.toml"),
+        found["scene_pass"] |= {"machine": processor(), "courant": number("courant", RESULTS / "scene_pass" / "deck.toml"),
                                 "cutting": bins(whole)}
     probes = [measure_probe(name, {"run_in": run_in}) for name, run_in in SCENE_PROBES.items()
               if (RESULTS / name / "windows.json").exists()]

@@ -33,7 +33,7 @@ def picture(found):
 
 
 def describe_before(whole, before):
-    return (f"- commit {before['commit']}, `distance = \"{before['distance']}\"`, "
+    return (f"- commit {before['commit']}, `distance = \"{before['distance']}\"`, `courant = {before['courant']}`, "
             f"{before['steps']} steps in {before['core_seconds']:.0f} core-seconds of an {before['machine']}: "
             f"{compare(whole, before, 'cutting')}.")
 
@@ -43,14 +43,15 @@ def write_pass(found):
     to = f"It has run to {whole['end']:.0f} deg so far" if "end" in whole else "It ran from the entry to the exit"
     lines = ["![Force of the whole scene over immersion](windows_scene.png)", "",
              "![The chip of the whole scene at five angles, coloured by temperature](chip_scene.png)", "",
-             f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"`: {whole['particles']} "
+             f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"` and `courant = {whole['courant']}`: {whole['particles']} "
              f"particles and {whole['hexes']} hexes, of the particles {100 * whole['awake']:.1f} % awake on the mean. {to}: "
              f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h on "
              f"{' and '.join(map(str, whole['threads']))} threads of an {whole['machine']}; {hours(whole['core_seconds'])} if two cores shared it evenly), "
              f"{whole['peak_memory_bytes'] / 2**20:.0f} MiB, worst energy residual {100 * whole['energy_residual']:.2f} % of the "
              f"external work, {whole['leaked_particles']} leaked particles. The same pass without sleep has not been run.", ""]
     if "scene_passes_before" in found:
-        lines += ["How far passes of this scene are apart: it has run before, with other round-off. This pass against those:", ""]
+        lines += ["How far passes of this scene are apart: it has run before, with other round-off, and as said. This pass against "
+                  "those:", ""]
         lines += [describe_before(whole, before) for before in found["scene_passes_before"]] + [""]
     if "scene_pass_failed" in found:
         failed = found["scene_pass_failed"]
@@ -63,7 +64,8 @@ def write_pass(found):
         lines += [f"The mean force of the {len(rows)} windows that it has passed differs from that of its cutting tooth by "
                   f"{percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of the windows. By the helix "
                   "the tooth before leaves until 187 deg while this one enters, and its force is against the other's: a "
-                  "window, which has one tooth's work, lacks it below 12 deg.", ""]
+                  "window, which has one tooth's work, lacks it below 12 deg. The windows ran at `courant = "
+                  f"{found['scene']['courant']}`.", ""]
     return lines
 
 
@@ -95,24 +97,37 @@ def write_probes(found):
     return lines + ["", f"They took {costs} core-seconds.", ""]
 
 
-def write_sleep(found):
-    """What sleep alone does to the windows: they have the same run-in with it and without."""
-    awake, asleep = ({row["immersion"]: row for row in found[name]["rows"]} for name in ("scene", "scene_asleep"))
-    both = sorted(awake.keys() & asleep.keys())
-    ratio, error = ratio_of_means([(asleep[at]["force_planar"], awake[at]["force_planar"]) for at in both])
-    costs = [sum(rows[at]["core_seconds"] for at in both) for rows in (asleep, awake)]
-    lines = ["### What sleep does", "",
-             f"The same windows with their far part asleep (`[sleep] distance = \"{found['scene_asleep']['distance']}\"`): "
-             f"the mean force of the {len(both)} differs by {percent(ratio - 1)}, standard error {100 * error:.1f} % from "
+def write_change(found, title, text, name, reference):
+    """What a setting alone does to the windows: they have the same run-in with it and without."""
+    with_it, without = ({row["immersion"]: row for row in found[one]["rows"]} for one in (name, reference))
+    both = sorted(with_it.keys() & without.keys())
+    ratio, error = ratio_of_means([(with_it[at]["force_planar"], without[at]["force_planar"]) for at in both])
+    costs = [sum(rows[at]["core_seconds"] for at in both) for rows in (with_it, without)]
+    lines = [f"### {title}", "",
+             f"{text}: the mean force of the {len(both)} differs by {percent(ratio - 1)}, standard error {100 * error:.1f} % from "
              f"their scatter, for {costs[0]:.0f} core-seconds instead of {costs[1]:.0f}.", "",
-             "| immersion / deg | asleep / N | standard error / N | awake / N | difference | core-seconds | awake |",
+             "| immersion / deg | with it / N | standard error / N | without / N | difference | core-seconds | without |",
              "|" + "---:|" * 7]
     for at in both:
-        one, other = asleep[at], awake[at]
+        one, other = with_it[at], without[at]
         lines.append(f"| {at:g} | {one['force_planar']:.2f} | {one['error_planar']:.2f} | {other['force_planar']:.2f} | "
                      f"{percent(one['force_planar'] / other['force_planar'] - 1)} | {one['core_seconds']:.0f} | "
                      f"{other['core_seconds']:.0f} |")
     return lines + [""]
+
+
+def write_changes(found):
+    lines = []
+    if "scene_asleep" in found:
+        lines += write_change(found, "What sleep does", "The same windows with their far part asleep (`[sleep] distance = "
+                              f"\"{found['scene_asleep']['distance']}\"`)", "scene_asleep", "scene")
+    if "scene_mass" in found:
+        mass = found["scene_mass"]
+        lines += write_change(found, "What more mass does",
+                              f"The windows asleep under `mass_factor = {mass['mass_factor']:g}`, twice the deck's, against them under "
+                              f"the deck's (run on an {mass['machine']}, those without it on an {found['scene_asleep']['machine']})",
+                              "scene_mass", "scene_asleep")
+    return lines
 
 
 def write(found):
@@ -141,5 +156,5 @@ def write(found):
                      f"{row['peak_memory_bytes'] / 2**20:.0f} | {100 * row['energy_residual']:.2f} % | "
                      f"{row['leaked_particles']} |")
     lines.append("")
-    lines += write_sleep(found) if "scene_asleep" in found else []
+    lines += write_changes(found)
     return lines + (write_probes(found) if {"scene_probes", "scene_pass"} <= found.keys() else [])
