@@ -13,7 +13,7 @@ void bench_sort_particles(benchmark::State& state) {
     bytes += double(field.size()) * sizeof(typename std::decay_t<decltype(field)>::value_type);
   });
   int cells = 16;
-  for (auto _ : state) sort_particles(particles, c.neighbors.cutoff / Real(cells)), cells = 27 - cells;
+  for (auto _ : state) sort_particles(particles, {{0, 0, 0}, spacing * Real(cells) / 16}), cells = 27 - cells;
   report(state, c.count(), {0, 4 * bytes / c.count()});
 }
 BENCHMARK(bench_sort_particles)->Name("sort_particles")->Apply(all_sizes);

@@ -44,15 +44,14 @@ KOKKOS_INLINE_FUNCTION Pack sum_heat(const Particles& p, const Neighbors& n, int
   const auto K_i = lanes.load_symmetric(p.heat_shape);
   const Pack none(Kokkos::Experimental::norm_min_v<Real>); // r = 0: the particle itself; k = 0: insulators
   Pack sum(Real(0));
-  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
-    const int j = n.neighbor(k);
+  for_each_neighbor(n, cluster, [&](int j) {
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack slope = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
     const Pack shape =
         quadratic_form(K_i + broadcast_symmetric(p.heat_shape, j), x_ij) * reciprocal(dot(x_ij, x_ij) + none);
     const Pack k_j(p.heat_state(j, 1)), k_ij = Pack(Real(2)) * k_i * k_j * reciprocal(k_i + k_j + none);
     sum += shape * k_ij * (T_i - Pack(p.heat_state(j, 0))) * slope;
-  }
+  });
   return sum;
 }
 

@@ -45,12 +45,11 @@ KOKKOS_INLINE_FUNCTION Vector3Of<Pack> sum_gradient(const Particles& p, const Ne
   const auto x_i = lanes.load_vector(p.position);
   const Pack inverse_support_i = lanes.load(p.inverse_support);
   const Pack p_i = lanes.load(p.pressure_state, 0);
-  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
-    const int j = n.neighbor(k);
+  for_each_neighbor(n, cluster, [&](int j) {
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack slope = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
     sum = sum + ((Pack(p.pressure_state(j, 0)) - p_i) * slope) * x_ij;
-  }
+  });
   return sum;
 }
 
@@ -77,8 +76,7 @@ KOKKOS_INLINE_FUNCTION Pack sum_diffusion(const Particles& p, const Neighbors& n
   const Pack c_i = lanes.load(p.impedance, 0) / lanes.load(p.impedance, 1);
   const Vector3Of<Pack> g_i{lanes.load(p.pressure_state, 1), lanes.load(p.pressure_state, 2),
                             lanes.load(p.pressure_state, 3)};
-  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
-    const int j = n.neighbor(k);
+  for_each_neighbor(n, cluster, [&](int j) {
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack inverse_h = mean_inverse_h(inverse_support_i, p.inverse_support(j));
     const Vector3Of<Pack> g_j{Pack(p.pressure_state(j, 1)), Pack(p.pressure_state(j, 2)),
@@ -86,7 +84,7 @@ KOKKOS_INLINE_FUNCTION Pack sum_diffusion(const Particles& p, const Neighbors& n
     const Pack beyond_linear = p_i - Pack(p.pressure_state(j, 0)) - half * dot(g_i + g_j, x_ij);
     const Pack c = c_i + Pack(p.impedance(j, 0) / p.impedance(j, 1)); // twice the mean
     sum += c * reciprocal(inverse_h) * beyond_linear * pair_slope(p.volume(j), x_ij, inverse_h);
-  }
+  });
   return sum;
 }
 

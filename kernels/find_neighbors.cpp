@@ -56,7 +56,7 @@ KOKKOS_INLINE_FUNCTION void take_near(const Search& s, const Box& box, const Vec
   }
   for (int k = 0; k < count; ++k) {
     const auto x_ij = x_i - broadcast_vector(s.position, near[k]);
-    if (any_less(dot(x_ij, x_ij), cutoff2)) take(s.rows(near[k]).row);
+    if (any_of(dot(x_ij, x_ij) < Pack(cutoff2))) take(s.rows(near[k]).row);
   }
 }
 
@@ -107,7 +107,11 @@ void walk(const Neighbors& n, const Search& s, const VectorField& position, bool
           if (fill) n.neighbor(begin + found) = row;
           ++found;
         });
-        if (!fill) n.start(c) = found;
+        if (!fill)
+          n.start(c) = found;
+        else
+          mark_neighbors<entries_of_word>(
+              n, c, [](const int*, int count) { return ~Marks(0) >> (entries_of_word - count); });
       });
 }
 
@@ -149,6 +153,7 @@ void find_neighbors(Neighbors& n, const Particles& p) {
     n.neighbor = IndexField(); // gone before the next: the lists are the largest field
     n.neighbor = IndexField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbor"), total + total / 16);
   }
+  ensure_rows(n.marks, std::size_t(total / entries_of_word + n.clusters + n.tied_clusters));
   walk(n, s, p.position, true);
   const int rows = p.total;
   if (int(n.build_position.extent(0)) < rows) n.build_position = VectorField("build_position", rows);

@@ -173,8 +173,7 @@ KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& 
                   .quadratic = c.quadratic * lanes.load(p.impedance, 1),
                   .hourglass = c.hourglass * impedance,
                   .stiffness = c.stiffness * lanes.load(p.impedance, 2)};
-  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k)
-    add_pair<T>(s, i, p, n, n.neighbor(k), m, c, dt);
+  for_each_neighbor(n, cluster, [&](int j) { add_pair<T>(s, i, p, n, j, m, c, dt); });
   return s;
 }
 

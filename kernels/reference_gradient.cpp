@@ -5,8 +5,8 @@
 // The correction J F^-T K0 makes sigma the first Piola-Kirchhoff stress times K0: the forces of
 // particle_forces, with grad W(X_ij), then do the work of the stresses, V0 J sigma : L.
 // Reads position, velocity, volume (V0), inverse_support, build_position (X). Writes velocity_gradient, the
-// correction to pair_stress and heat_shape, deformation_gradient, rows [0, count + tied). Where J <= 0 the
-// density becomes negative: update_stress reports it.
+// correction to pair_stress and heat_shape, deformation_gradient, rows [0, count + tied), and marks. Where J
+// <= 0 the density becomes negative: update_stress reports it.
 #include "correction.hpp"
 #include "swarf/pair.hpp"
 
@@ -35,8 +35,8 @@ KOKKOS_INLINE_FUNCTION ReferenceSums sum_neighbors(const Particles& p, const Nei
   const auto X_i = lanes.load_vector(n.build_position), v_i = lanes.load_vector(p.velocity);
   const auto u_i = lanes.load_vector(p.position) - X_i;
   const Pack inverse_support_i = lanes.load(p.inverse_support);
-  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
-    const int j = n.neighbor(k);
+  mark_neighbors<1>(n, cluster, [&](const int* row, int) {
+    const int j = *row;
     const auto X_j = broadcast_vector(n.build_position, j), X_ij = X_i - X_j;
     const Pack inverse_h = mean_inverse_h(inverse_support_i, p.inverse_support(j));
     const auto grad = pair_slope(p.volume(j), X_ij, inverse_h) * X_ij;
@@ -44,7 +44,8 @@ KOKKOS_INLINE_FUNCTION ReferenceSums sum_neighbors(const Particles& p, const Nei
     add_outer(s.velocity, broadcast_vector(p.velocity, j) - v_i, grad);
     s.A.xx -= X_ij.x * grad.x, s.A.yy -= X_ij.y * grad.y, s.A.zz -= X_ij.z * grad.z;
     s.A.xy -= X_ij.x * grad.y, s.A.yz -= X_ij.y * grad.z, s.A.zx -= X_ij.z * grad.x;
-  }
+    return Marks(any_near(X_ij, inverse_h));
+  });
   return s;
 }
 

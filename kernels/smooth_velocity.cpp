@@ -16,14 +16,13 @@ KOKKOS_INLINE_FUNCTION Vector3Of<Pack> sum_differences(const Particles& p, const
   const auto x_i = lanes.load_vector(p.position), v_i = lanes.load_vector(p.velocity);
   const Pack inverse_support_i = lanes.load(p.inverse_support);
   const Pack rho_i = lanes.load(p.impedance, 1);
-  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
-    const int j = n.neighbor(k);
+  for_each_neighbor(n, cluster, [&](int j) {
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack W = pair_weight(x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
     const Pack rho_j(p.impedance(j, 1)); // mass-scaled, as rho_i: the factor cancels
     const Pack share = Pack(Real(2) * p.volume(j)) * rho_j * reciprocal(rho_i + rho_j);
     sum = sum + (share * W) * (broadcast_vector(p.velocity, j) - v_i);
-  }
+  });
   return sum;
 }
 

@@ -1,6 +1,8 @@
 // Puts rows [0, count) of every field in the order of a Hilbert curve: the lanes of a pack hold particles
 // that are near, so that their common list is short, and lists touch memory that is near. Along a Z curve,
-// which jumps, lists are 10 to 16 % longer. Stable: sorted rows stay as they are, which a restart relies on.
+// which jumps, lists are 10 to 16 % longer. The cells are those of the lattice that the particles began on:
+// the 8 rows of a pack are the corners of a cube, where other cells give lists 12 % longer (3 % where little
+// is left of the lattice). Stable: sorted rows stay as they are, which a restart relies on.
 #include "cell_order.hpp"
 #include <bit>
 
@@ -54,8 +56,12 @@ HilbertKeyOf hilbert_key_of(const VectorField& position, int rows, const CellGri
   return {grid, bits_of(position, rows, grid)};
 }
 
-void sort_particles(Particles& p, Real cell_size) {
-  const CellGrid grid = cell_grid(p.position, p.count, cell_size);
+void sort_particles(Particles& p, const CellGrid& lattice) {
+  CellGrid grid = cell_grid(p.position, p.count, lattice.cell_size);
+  const Real pair = 2 * grid.cell_size;
+  const auto begin = [&](Real x, Real from) { return from + pair * Kokkos::floor((x - from) / pair); };
+  const Vector3 low = grid.origin, from = lattice.origin;
+  grid.origin = {begin(low.x, from.x), begin(low.y, from.y), begin(low.z, from.z)};
   const Moves moves =
       moves_to(sort_rows(p.position, first_rows(p.count), hilbert_key_of(p.position, p.count, grid)));
   const PermuteScratch scratch(moves);

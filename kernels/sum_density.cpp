@@ -12,12 +12,11 @@ KOKKOS_INLINE_FUNCTION Pack sum_mass(const Particles& p, const Neighbors& n, int
   const auto x_i = lanes.load_vector(p.position);
   const Pack inverse_support_i = lanes.load(p.inverse_support);
   Pack sum(Real(0));
-  for (long k = n.start(cluster); k < n.start(cluster + 1); ++k) {
-    const int j = n.neighbor(k);
+  for_each_neighbor(n, cluster, [&](int j) {
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack W = pair_weight(x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
     sum += Pack(p.volume(j) * p.impedance(j, 1)) * W;
-  }
+  });
   return sum;
 }
 

@@ -1,7 +1,7 @@
 // L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] K_i,  K_i = [sum_j V_j (x_j - x_i) (x) grad W_ij]^-1
 // Randles & Libersky (1996): exact for a linear velocity field on any set of neighbours.
 // Reads position, velocity, volume, inverse_support. Writes velocity_gradient, K to pair_stress and
-// heat_shape, rows [0, count + tied).
+// heat_shape, rows [0, count + tied), and the lists' marks.
 #include "correction.hpp"
 #include "swarf/pair.hpp"
 
@@ -13,9 +13,19 @@ struct GradientSums {
   Symmetric3Of<Pack> A; // inverse of K
 };
 
+KOKKOS_FORCEINLINE_FUNCTION void add_pair(GradientSums& s, const Vector3Of<Pack>& x_ij,
+                                          const Vector3Of<Pack>& v_ji, const Pack& slope) {
+  const auto grad = slope * x_ij; // V_j grad W_ij
+  s.L.xx += v_ji.x * grad.x, s.L.xy += v_ji.x * grad.y, s.L.xz += v_ji.x * grad.z;
+  s.L.yx += v_ji.y * grad.x, s.L.yy += v_ji.y * grad.y, s.L.yz += v_ji.y * grad.z;
+  s.L.zx += v_ji.z * grad.x, s.L.zy += v_ji.z * grad.y, s.L.zz += v_ji.z * grad.z;
+  s.A.xx -= x_ij.x * grad.x, s.A.yy -= x_ij.y * grad.y, s.A.zz -= x_ij.z * grad.z;
+  s.A.xy -= x_ij.x * grad.y, s.A.yz -= x_ij.y * grad.z, s.A.zx -= x_ij.z * grad.x;
+}
+
 // Neighbours are taken a few at a time: first their slopes, whose roots are long, then the sums. In one go a
 // pair is a chain of operations longer than a processor looks ahead: a tenth slower.
-constexpr int pair_chunk = pack_width > 1 ? 16 : 1;
+constexpr int pair_chunk = pack_width > 1 ? 64 : 1;
 
 KOKKOS_FORCEINLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const Neighbors& n, int cluster,
                                                        const Lanes& lanes) {
@@ -24,28 +34,25 @@ KOKKOS_FORCEINLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const
                  {zero, zero, zero, zero, zero, zero}};
   const auto x_i = lanes.load_vector(p.position), v_i = lanes.load_vector(p.velocity);
   const Pack inverse_support_i = lanes.load(p.inverse_support);
-  Pack slope[pair_chunk]; // V_j (dW/dr) / r
-  const long end = n.start(cluster + 1);
-  for (long begin = n.start(cluster); begin < end; begin += pair_chunk) {
-    const int* row = &n.neighbor(begin);
-    const int count = end - begin < pair_chunk ? int(end - begin) : pair_chunk;
-    for (int k = 0; k < count; ++k) {
+  mark_neighbors<pair_chunk>(n, cluster, [&](const int* row, int count) {
+    Pack slope[pair_chunk]; // V_j (dW/dr) / r
+    int near_row[pair_chunk], found = 0;
+    Marks near = 0;
+    for (int k = 0; k < count; ++k) { // no branch
       const int j = row[k];
       const auto x_ij = x_i - broadcast_vector(p.position, j);
-      slope[k] = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
+      const Pack inverse_h = mean_inverse_h(inverse_support_i, p.inverse_support(j));
+      const bool is_near = any_near(x_ij, inverse_h);
+      slope[found] = pair_slope(p.volume(j), x_ij, inverse_h);
+      near_row[found] = j, found += is_near;
+      near |= Marks(is_near) << k;
     }
-    for (int k = 0; k < count; ++k) {
-      const int j = row[k];
-      const auto x_ij = x_i - broadcast_vector(p.position, j);
-      const auto v_ji = broadcast_vector(p.velocity, j) - v_i;
-      const auto grad = slope[k] * x_ij; // V_j grad W_ij
-      s.L.xx += v_ji.x * grad.x, s.L.xy += v_ji.x * grad.y, s.L.xz += v_ji.x * grad.z;
-      s.L.yx += v_ji.y * grad.x, s.L.yy += v_ji.y * grad.y, s.L.yz += v_ji.y * grad.z;
-      s.L.zx += v_ji.z * grad.x, s.L.zy += v_ji.z * grad.y, s.L.zz += v_ji.z * grad.z;
-      s.A.xx -= x_ij.x * grad.x, s.A.yy -= x_ij.y * grad.y, s.A.zz -= x_ij.z * grad.z;
-      s.A.xy -= x_ij.x * grad.y, s.A.yz -= x_ij.y * grad.z, s.A.zx -= x_ij.z * grad.x;
+    for (int k = 0; k < found; ++k) {
+      const int j = near_row[k];
+      add_pair(s, x_i - broadcast_vector(p.position, j), broadcast_vector(p.velocity, j) - v_i, slope[k]);
     }
-  }
+    return near;
+  });
   return s;
 }
 

@@ -74,6 +74,13 @@ double largest_smoothing_length(const Deck& deck, const std::vector<FilledBody>&
   return largest;
 }
 
+CellGrid lattice_of(const PointSet& points) {
+  const double half = 0.5 * points.spacing;
+  Point low = points.position.empty() ? Point(half, half, half) : points.position.front();
+  for (const Point& x : points.position) low = low.cwiseMin(x);
+  return {to_vector3(Point(low - Point(half, half, half))), Real(points.spacing)};
+}
+
 // The mass of a hex as a material point is that of the volume that carries stress; its nodes keep it all.
 void set_stress_shares(HexMesh& mesh, const std::vector<double>& share) {
   const auto mass = host_copy(mesh.points.mass);
@@ -134,7 +141,7 @@ Scene build_scene(const Deck& deck) {
   scene.cutoff = support + scene.skin;
   for (const FilledBody& b : bodies)
     if (b.points.spacing > 0 && (scene.spacing == 0 || b.points.spacing < scene.spacing))
-      scene.spacing = b.points.spacing;
+      scene.spacing = b.points.spacing, scene.lattice = lattice_of(b.points);
 
   scene.hex_diagonal = largest_diagonal(bodies);
   check_sleep(deck, scene);

@@ -1,6 +1,7 @@
 // Builds the model from the deck: the only place, with output, where array elements are touched on the host.
 #pragma once
 #include "src/deck.hpp"
+#include "swarf/cell_order.hpp"
 #include "swarf/hex_mesh.hpp"
 #include "swarf/particles.hpp"
 #include "swarf/tie.hpp"
@@ -26,6 +27,7 @@ struct Scene {
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
   Tool tool;
   double spacing = 0;      // of the finest particles, m; 0 without particles
+  CellGrid lattice;        // of the finest particles: about one in each cell
   double cutoff = 0;       // largest support 2 h + skin, m
   double hex_diagonal = 0; // of the largest hex, m; 0 without hexes
   double skin = 0;

@@ -64,7 +64,7 @@ void Simulation::move() {
 
 void Simulation::rebuild_lists() {
   wrap_periodic(model.particles, model.image_planes, status);
-  sort_particles(model.particles, lists.cutoff / 16);
+  sort_particles(model.particles, model.lattice);
   project_tie(model.tie, model.particles, model.hexes);
   make_images(model.particles, lists, model.image_planes);
   find_neighbors(lists, model.particles);

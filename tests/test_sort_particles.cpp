@@ -30,7 +30,7 @@ TEST(SortParticles, MovesEveryColumnOfEveryFieldWithItsParticle) {
   });
   const auto start = Kokkos::create_mirror(p.position);
   Kokkos::deep_copy(start, p.position);
-  sort_particles(p, b.neighbors.cutoff / 16);
+  sort_particles(p, b.lattice);
   const auto identity = host_copy(p.identity);
   const auto after = host_copy(p.position);
   int moved = 0;
@@ -43,6 +43,29 @@ TEST(SortParticles, MovesEveryColumnOfEveryFieldWithItsParticle) {
     if (name == "identity") return;
     EXPECT_EQ(value, std::decay_t<decltype(value)>(1000 * column + identity(i))) << name;
   });
+}
+
+// So that the rows of a pack have as few neighbours in common as can be, wherever the lattice lies.
+TEST(SortParticles, PutsTheCornersOfACubeOfTheLatticeOneAfterTheOther) {
+  const Real spacing = Real(1e-3);
+  for (const Real moved : {Real(0), Real(0.3), Real(0.5), Real(1.2)}) {
+    ParticleBlock b = particle_block(12, 10, 8, spacing, Real(0.1));
+    Particles& p = b.particles;
+    const auto x = host_copy(p.position);
+    for (int i = 0; i < p.count; ++i)
+      for (int c = 0; c < 3; ++c) x(i, c) -= moved * spacing;
+    Kokkos::deep_copy(p.position, x);
+    for (int c = 0; c < 3; ++c) (&b.lattice.origin.x)[c] = -moved * spacing;
+    sort_particles(p, b.lattice);
+    const auto sorted = host_copy(p.position);
+    for (int first = 0; first < p.count; first += 8)
+      for (int c = 0; c < 3; ++c) {
+        Real low = sorted(first, c), high = low;
+        for (int i = first; i < first + 8; ++i)
+          low = std::min(low, sorted(i, c)), high = std::max(high, sorted(i, c));
+        EXPECT_LT(high - low, Real(1.21) * spacing); // 1 and twice the disorder
+      }
+  }
 }
 
 } // namespace

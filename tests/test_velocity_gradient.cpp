@@ -1,4 +1,5 @@
 #include "support/particle_block.hpp"
+#include "swarf/pair.hpp"
 #include <gtest/gtest.h>
 
 namespace swarf::test {
@@ -76,6 +77,41 @@ TEST(VelocityGradient, OfALoneParticleIsZeroAndFinite) {
   set_linear_velocity(b.particles, {1, 2, 3, 4, 5, 6, 7, 8, 9});
   velocity_gradient(b.particles, b.neighbors, b.method);
   EXPECT_EQ(largest_error(b.particles, {0, 0, 0, 0, 0, 0, 0, 0, 0}), 0);
+}
+
+struct Visits {
+  long rows = 0, pairs = 0, vain = 0; // rows of lists; pairs within the support; rows far from all lanes
+};
+
+Visits count_visits(const ParticleBlock& b) {
+  const auto x = host_copy(b.particles.position);
+  const auto inverse_support = host_copy(b.particles.inverse_support);
+  Visits found;
+  for (int c = 0; c < b.neighbors.clusters; ++c)
+    for_each_neighbor(b.neighbors, c, [&](int j) {
+      const int first = b.neighbors.first(c);
+      Real least = support_ratio + 1; // r / h
+      for (int i = first; i < first + b.neighbors.size(c); ++i) {
+        const Vector3 d = load_vector(x, i) - load_vector(x, j);
+        const Real q = norm(d) * (inverse_support(i) + inverse_support(j));
+        least = Kokkos::min(least, q), found.pairs += q < support_ratio;
+      }
+      ++found.rows, found.vain += least > Real(1.005) * support_ratio;
+    });
+  return found;
+}
+
+// Lists hold what is within the skin, too: once looked at, it is left out, and nothing else.
+TEST(VelocityGradient, MarksTheRowsThatAnyLaneHasWithinItsSupport) {
+  ParticleBlock b = particle_block(12, 11, 10, Real(2.5e-6), Real(0.2));
+  build_lists(b);
+  const Visits all = count_visits(b);
+  velocity_gradient(b.particles, b.neighbors, b.method);
+  const Visits marked = count_visits(b);
+  EXPECT_GT(all.vain, all.rows / 20);
+  EXPECT_EQ(marked.vain, 0);
+  EXPECT_EQ(marked.pairs, all.pairs);
+  EXPECT_LT(marked.rows, all.rows - all.vain / 2);
 }
 
 } // namespace swarf::test

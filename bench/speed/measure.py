@@ -27,8 +27,9 @@ STEPS = {
     32: {"particles": (10_000, 100_000, 1_000_000, 4_000_000), "hexes": (10_000, 100_000, 123_840), "hybrid": (10_000, 100_000)},
 }
 FIELDS = ("items", "flops_per_item", "bytes_per_item", "lane_flops_per_item", "pairs_per_item", "lane_pairs_per_item",
-          "near_pairs_per_item", "gpu_flops_per_item", "gpu_bytes_per_item", "gathered_bytes_per_item", "particles", "rows",
-          "tied", "images", "hexes", "steps", "most_resident", "resident")
+          "listed_pairs_per_item", "near_pairs_per_item", "gpu_flops_per_item", "gpu_bytes_per_item",
+          "gathered_bytes_per_item", "particles", "rows", "tied", "images", "hexes", "steps", "most_resident",
+          "resident")
 
 
 def programs(build):

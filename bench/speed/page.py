@@ -131,9 +131,9 @@ def kernel_rows(results):
 
 def list_line(results, size):
     row = results.get("find_neighbors", size, 1)
-    pairs, lanes = row["pairs_per_item"], row["lane_pairs_per_item"]
-    return (f"\nLists at {spaced(size)} particles: {pairs:.1f} neighbours within the support, {lanes:.0f} pairs in "
-            f"lanes: {100 * pairs / lanes:.0f} % of the lanes' work counts.\n")
+    pairs, lanes, listed = (row[f"{kind}pairs_per_item"] for kind in ("", "lane_", "listed_"))
+    return (f"\nLists at {spaced(size)} particles: {pairs:.1f} neighbours within the support; {listed:.0f} rows listed, "
+            f"{lanes:.0f} of them within the support of a lane: {100 * pairs / lanes:.0f} % of the lanes' work counts.\n")
 
 
 def peer_rows(results, size):

@@ -24,17 +24,23 @@ struct ParticleCube : test::ParticleBlock {
   Status status;
   double pairs = 0;  // within the support, per particle
   double near = 0;   // within the cutoff, per particle: the list of a particle alone
-  double listed = 0; // pairs that the lanes compute, per particle
+  double listed = 0; // entries of the lists times lanes, per particle
+  double marked = 0; // those of them that lanes compute, per particle
   double list_bytes = 0;
 
   double count() const { return particles.count; }
   // A pair sum: flops of a pair, flops of a particle, Reals of a particle that are read or written, Reals of
-  // a neighbour; how often the pass walks the list.
-  Cost pair_cost(double pair, double own, double reals, double of_neighbor, int walks = 1) const {
+  // a neighbour; how often the pass walks the list; flops of each entry, marked or not.
+  Cost pair_cost(double pair, double own, double reals, double of_neighbor, int walks = 1,
+                 double entry = 0) const {
     const double own_list = walks * near * sizeof(int), own_bytes = reals * sizeof(Real) + own_list;
-    return {pairs * pair + own,  reals * sizeof(Real) + walks * list_bytes,
-            listed * pair + own, near * pair + own,
-            own_bytes,           own_bytes + near * of_neighbor * sizeof(Real)};
+    const double read = (entry > 0 ? near : pairs) * of_neighbor * sizeof(Real);
+    return {pairs * (entry + pair) + own,
+            reals * sizeof(Real) + walks * list_bytes,
+            listed * entry + marked * pair + own,
+            near * entry + pairs * pair + own,
+            own_bytes,
+            own_bytes + read};
   }
 };
 
@@ -74,6 +80,11 @@ inline void count_pairs(ParticleCube& c) {
       pairs, near);
   const double entries = double(
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(n.start, n.clusters))());
+  long marked = 0;
+  Kokkos::parallel_reduce(
+      "bench_marks", Range(0, n.clusters),
+      KOKKOS_LAMBDA(int cluster, long& sum) { for_each_neighbor(n, cluster, [&](int) { ++sum; }); }, marked);
+  c.marked = double(marked) * pack_width / c.count();
   c.pairs = double(pairs) / c.count(), c.near = double(near) / c.count();
   c.listed = entries * pack_width / c.count();
   c.list_bytes = entries * sizeof(int) / c.count();

@@ -1,6 +1,7 @@
 // Every launch of swarf, one line each: the table of contents of kernels/. The file, the function, the label
 // of the launch, the test and the benchmark share one name.
 #pragma once
+#include "swarf/cell_order.hpp"
 #include "swarf/contact_points.hpp"
 #include "swarf/conversion.hpp"
 #include "swarf/hex_mesh.hpp"
@@ -41,7 +42,7 @@ struct HexMethod {
 // --- neighbours and images
 using ImagePlanes = std::vector<ImagePlane>; // on the host: a launch for each plane
 void wrap_periodic(const Particles&, const ImagePlanes&, const Status&); // back through the partner plane
-void sort_particles(Particles&, Real cell_size);              // rows [0, count) along a Hilbert curve
+void sort_particles(Particles&, const CellGrid& lattice);     // rows [0, count) along a Hilbert curve
 void make_images(Particles&, Neighbors&, const ImagePlanes&); // rows [stored, total)
 void find_neighbors(Neighbors&, const Particles&);            // clusters and their lists
 void update_images(const Particles&, const Neighbors&, const ImagePlanes&);      // position, velocity

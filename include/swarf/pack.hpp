@@ -6,6 +6,7 @@
 #define SWARF_ONE_LANE
 #else
 #include <Kokkos_SIMD.hpp>
+#include <type_traits>
 #endif
 
 namespace swarf {
@@ -23,7 +24,7 @@ KOKKOS_FORCEINLINE_FUNCTION Pack make_pack(const Lane& lane) {
   return lane(0);
 }
 KOKKOS_FORCEINLINE_FUNCTION Real lane_of(const Pack& p, int) { return p; }
-KOKKOS_FORCEINLINE_FUNCTION bool any_less(const Pack& a, Real b) { return a < b; }
+KOKKOS_FORCEINLINE_FUNCTION bool any_of(bool mask) { return mask; }
 #else
 using Pack = Kokkos::Experimental::simd<Real>;
 inline constexpr int pack_width = int(Pack::size());
@@ -36,8 +37,13 @@ KOKKOS_FORCEINLINE_FUNCTION Real lane_of(const Pack& p, int lane) { return p[lan
 KOKKOS_FORCEINLINE_FUNCTION Pack select(const Pack::mask_type& mask, const Pack& a, const Pack& b) {
   return Kokkos::Experimental::condition(mask, a, b);
 }
-KOKKOS_FORCEINLINE_FUNCTION bool any_less(const Pack& a, Real b) {
-  return Kokkos::Experimental::any_of(a < Pack(b));
+KOKKOS_FORCEINLINE_FUNCTION bool any_of(const Pack::mask_type& mask) {
+#ifdef KOKKOS_ARCH_AVX512XEON // Kokkos asks lane by lane, a branch each
+  using Bits = std::conditional_t<sizeof(Real) == 4, __mmask16, __mmask8>;
+  return static_cast<Bits>(mask) != 0;
+#else
+  return Kokkos::Experimental::any_of(mask);
+#endif
 }
 
 // 1 / x and 1 / sqrt(x) of normal numbers x > 0, to a few units in the last place. A processor with AVX-512

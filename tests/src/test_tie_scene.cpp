@@ -40,7 +40,7 @@ Step prepare(const Deck& deck) {
   s.scene = build_scene(deck);
   s.lists.cutoff = Real(s.scene.cutoff), s.lists.skin = Real(s.scene.skin);
   s.method.spacing_ratio = 1 / Real(deck.particles.smoothing_ratio);
-  sort_particles(s.scene.particles, s.lists.cutoff / 16);
+  sort_particles(s.scene.particles, s.scene.lattice);
   project_tie(s.scene.tie, s.scene.particles, s.scene.hexes);
   make_images(s.scene.particles, s.lists, s.scene.image_planes);
   find_neighbors(s.lists, s.scene.particles);

@@ -10,6 +10,7 @@ struct ParticleBlock {
   Neighbors neighbors;
   MaterialTable materials;
   ParticleMethod method;
+  CellGrid lattice; // one particle in each cell
 };
 
 inline void allocate(Particles& p, int rows) {
@@ -56,11 +57,12 @@ inline ParticleBlock particle_block(int nx, int ny, int nz, Real spacing, Real d
   b.neighbors.skin = Real(0.1) * 2 * ratio * spacing;
   b.neighbors.cutoff = 2 * ratio * spacing + b.neighbors.skin;
   b.method.spacing_ratio = 1 / ratio;
+  b.lattice.cell_size = spacing;
   return b;
 }
 
 inline void build_lists(ParticleBlock& b, const ImagePlanes& planes = {}) {
-  sort_particles(b.particles, b.neighbors.cutoff / 16);
+  sort_particles(b.particles, b.lattice);
   make_images(b.particles, b.neighbors, planes);
   find_neighbors(b.neighbors, b.particles);
   update_images(b.particles, b.neighbors, planes);
