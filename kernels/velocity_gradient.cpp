@@ -23,36 +23,45 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(GradientSums& s, const Vector3Of<Pack>
   s.A.xy -= x_ij.x * grad.y, s.A.yz -= x_ij.y * grad.z, s.A.zx -= x_ij.z * grad.x;
 }
 
-// Neighbours are taken a few at a time: first their slopes, whose roots are long, then the sums. In one go a
-// pair is a chain of operations longer than a processor looks ahead: a tenth slower.
-constexpr int pair_chunk = pack_width > 1 ? 64 : 1;
+struct Cluster {
+  Vector3Of<Pack> x, v;
+  Pack inverse_support;
+};
+
+// Neighbours are taken a few at a time: first their slopes, whose roots are long, then the sums of those that
+// are near. In one go a pair is a chain of operations longer than a processor looks ahead: a tenth slower.
+constexpr int pair_chunk = pack_width > 1 ? entries_of_word : 1;
+
+KOKKOS_FORCEINLINE_FUNCTION Marks add_near(GradientSums& s, const Cluster& i, const Particles& p,
+                                           const int* row, int count) {
+  Pack slope[pair_chunk]; // V_j (dW/dr) / r
+  int near_row[pair_chunk], found = 0;
+  Marks near = 0;
+  for (int k = 0; k < count; ++k) { // no branch
+    const int j = row[k];
+    const auto x_ij = i.x - broadcast_vector(p.position, j);
+    const Pack inverse_h = mean_inverse_h(i.inverse_support, p.inverse_support(j));
+    const bool is_near = any_near(x_ij, inverse_h);
+    slope[found] = pair_slope(p.volume(j), x_ij, inverse_h);
+    near_row[found] = j, found += is_near;
+    near |= Marks(is_near) << k;
+  }
+  for (int k = 0; k < found; ++k) {
+    const int j = near_row[k];
+    add_pair(s, i.x - broadcast_vector(p.position, j), broadcast_vector(p.velocity, j) - i.v, slope[k]);
+  }
+  return near;
+}
 
 KOKKOS_FORCEINLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const Neighbors& n, int cluster,
                                                        const Lanes& lanes) {
   const Pack zero(Real(0));
   GradientSums s{{zero, zero, zero, zero, zero, zero, zero, zero, zero},
                  {zero, zero, zero, zero, zero, zero}};
-  const auto x_i = lanes.load_vector(p.position), v_i = lanes.load_vector(p.velocity);
-  const Pack inverse_support_i = lanes.load(p.inverse_support);
-  mark_neighbors<pair_chunk>(n, cluster, [&](const int* row, int count) {
-    Pack slope[pair_chunk]; // V_j (dW/dr) / r
-    int near_row[pair_chunk], found = 0;
-    Marks near = 0;
-    for (int k = 0; k < count; ++k) { // no branch
-      const int j = row[k];
-      const auto x_ij = x_i - broadcast_vector(p.position, j);
-      const Pack inverse_h = mean_inverse_h(inverse_support_i, p.inverse_support(j));
-      const bool is_near = any_near(x_ij, inverse_h);
-      slope[found] = pair_slope(p.volume(j), x_ij, inverse_h);
-      near_row[found] = j, found += is_near;
-      near |= Marks(is_near) << k;
-    }
-    for (int k = 0; k < found; ++k) {
-      const int j = near_row[k];
-      add_pair(s, x_i - broadcast_vector(p.position, j), broadcast_vector(p.velocity, j) - v_i, slope[k]);
-    }
-    return near;
-  });
+  const Cluster i{lanes.load_vector(p.position), lanes.load_vector(p.velocity),
+                  lanes.load(p.inverse_support)};
+  mark_neighbors<pair_chunk>(n, cluster,
+                             [&](const int* row, int count) { return add_near(s, i, p, row, count); });
   return s;
 }
 
