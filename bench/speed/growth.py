@@ -72,9 +72,9 @@ def draw(results):
     figure, panels = plt.subplots(1, 3, figsize=(11.7, 4.2), dpi=150, layout="constrained")
     for axes, paint in zip(panels, (draw_cost, draw_gain, draw_memory)):
         paint(axes, results)
-        axes.set(xscale="log", xlabel="particles or hexes", ylim=(0, None))
+        axes.set(xscale="log", xlabel="particles or hexes", ylim=(0, 1.3 * axes.get_ylim()[1]))  # room for the legend
         axes.grid(alpha=0.3, linewidth=0.4)
-        axes.legend(fontsize=7, framealpha=1)
+        axes.legend(fontsize=7, framealpha=1, ncols=2 if axes is panels[0] else 1)
     for suffix in ("png", "svg"):
         figure.savefig(DOCS / f"growth.{suffix}", metadata={"Date": None} if suffix == "svg" else None)
     plt.close(figure)
