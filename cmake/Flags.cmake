@@ -38,8 +38,6 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wshadow)
 # GCC 12 warns about its own AVX-512 header (GCC bug 105593), and every GCC guesses wrong under sanitizers.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND (CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 OR SWARF_SANITIZE))
   add_compile_options(-Wno-maybe-uninitialized)
-  set_source_files_properties(kernels/velocity_gradient.cpp kernels/reference_gradient.cpp # in float
-    PROPERTIES COMPILE_OPTIONS -Wno-uninitialized)
 endif()
 if(SWARF_WERROR)
   add_compile_options(-Werror)
