@@ -40,9 +40,10 @@ if(SWARF_SANITIZE)
 endif()
 
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow)
-# GCC 12 warns about its own AVX-512 header (GCC bug 105593), and every GCC guesses wrong under sanitizers.
+# GCC 12 warns about its own AVX-512 header wherever it inlines it (GCC bug 105593), and every GCC guesses wrong
+# under sanitizers.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND (CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 OR SWARF_SANITIZE))
-  add_compile_options(-Wno-maybe-uninitialized)
+  add_compile_options(-Wno-uninitialized -Wno-maybe-uninitialized)
 endif()
 if(SWARF_WERROR)
   add_compile_options(-Werror)

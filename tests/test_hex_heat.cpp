@@ -5,6 +5,7 @@
 #include "swarf/heat.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace swarf::test {
 namespace {
@@ -129,7 +130,7 @@ TEST(HexHeat, CosineDecaysAtTheExactRate) {
   if (is_double) {
     EXPECT_NEAR(std::log2(std::abs(coarse / fine)), 2, 0.1);
   }
-  EXPECT_LT(std::abs(fine), 1e-3);
+  EXPECT_LT(std::abs(fine), 1e-3 + 300 * 2 * std::numeric_limits<Real>::epsilon()); // round-off at 300 K
 }
 
 // The modes that one point does not see conduct as exact integration lets them: T = xi eta on a unit cube

@@ -184,7 +184,7 @@ TEST(ReferenceFrameForces, ResistWhatNoGradientSees) {
   const Real expected = Real(1.128) * elastic_steel().shear_modulus * amplitude * spacing;
   for (int i = 0; i < saw.particles.count; ++i) {
     const Vector3 x = load_vector(X, i);
-    const Vector3 middle{4.5 * spacing, 4.5 * spacing, 4.5 * spacing};
+    const Vector3 middle = Real(4.5) * spacing * Vector3{1, 1, 1};
     if (norm(x - middle) < Real(0.1) * spacing) { // 1.4 % are softened away: 0.01 h2 beside X2
       EXPECT_NEAR(force(i, 0) * sign(x) / -expected, 1, 0.02);
     }
