@@ -117,6 +117,7 @@ StableStep stable_step(const HexMesh& m, const MaterialTable& materials, const H
         if (own < dt.val || (own == dt.val && e < dt.loc)) dt.val = own, dt.loc = e;
       },
       MinStep(least));
+  if (least.val == Kokkos::Experimental::infinity_v<Real>) return result; // none is active
   return {least.val, least.loc, Real(0)};
 }
 

@@ -5,6 +5,7 @@
 namespace swarf {
 
 void wrap_periodic(const Particles& p, const ImagePlanes& planes, const Status& status) {
+  const bool hourglass = p.hourglass_displacement.extent(0) > 0;
   for (std::size_t k = 0; k < planes.size(); ++k) {
     if (!planes[k].periodic) continue;
     const ImagePlane plane = planes[k];
@@ -22,6 +23,11 @@ void wrap_periodic(const Particles& p, const ImagePlanes& planes, const Status& 
           store_vector(p.force, i, multiply(map.R, load_vector(p.force, i)));
           store_vector(p.friction_force, i, multiply(map.R, load_vector(p.friction_force, i)));
           store_vector(p.contact_force, i, multiply(map.R, load_vector(p.contact_force, i)));
+          if (hourglass) {
+            store_vector(p.hourglass_displacement, i,
+                         multiply(map.R, load_vector(p.hourglass_displacement, i)));
+            store_vector(p.hourglass_rate, i, multiply(map.R, load_vector(p.hourglass_rate, i)));
+          }
           store_symmetric(stress, i, rotate(map.R, load_symmetric(stress, i)));
           store_tensor(L, i, multiply(multiply(map.R, load_tensor(L, i)), transpose(map.R)));
         });

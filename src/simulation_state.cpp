@@ -108,11 +108,12 @@ void Simulation::start() {
   follow_hexes_and_images();
   update_rates_and_stresses();
   compute_forces();
+  // The penalty stays as it is when the step changes, and does not wait for points that come or wake.
+  const double first_dt = deck.run.courant * double(limit_step().dt);
+  contact_law.reference_step = Real(std::min(first_dt, step_of_new_particles()));
   if (deck.sleep.distance) fall_asleep();
   steps = steps_at_sample = 0;
   check();
-  // The penalty stays as it is when the step changes, and does not wait for particles that come.
-  contact_law.reference_step = Real(std::min(step_size, step_of_new_particles()));
   // Less what was given up by points that fell asleep at once.
   initial_energy =
       double(of_particles.kinetic) + of_hexes.kinetic - of_particles.external - of_hexes.external;
@@ -144,6 +145,7 @@ void Simulation::check() {
   timer.restart();
   check_status();
   const StableStep limit = limit_step();
+  if (limit.limiter < 0) fail("every hex that is awake has failed, and no particle is");
   step_size = deck.run.courant * double(limit.dt);
   if (conducts)
     heat_step = double(std::min(stable_heat_step(model.particles, model.materials),

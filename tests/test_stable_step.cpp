@@ -76,6 +76,8 @@ TEST(StableStep, OfTheThinnestHex) {
   active(1) = 0;
   Kokkos::deep_copy(m.active, active);
   EXPECT_NEAR(double(stable_step(m, table, bare_hexes(4)).dt) / (2e-3 * 2 / wave_speed), 1, 1e2 * round_off);
+  Kokkos::deep_copy(m.active, 0);
+  EXPECT_EQ(stable_step(m, table, bare_hexes(4)).limiter, -1);
 }
 
 // A cube of 2 mm that shrinks at a rate of 0.3 c / l: (2 / w) (sqrt(1 + xi^2) - xi), w = 2 c / l (Belytschko,

@@ -84,20 +84,23 @@ struct Visits {
 };
 
 Visits count_visits(const ParticleBlock& b) {
-  const auto x = host_copy(b.particles.position);
-  const auto inverse_support = host_copy(b.particles.inverse_support);
+  const Particles p = b.particles;
+  const Neighbors n = b.neighbors;
   Visits found;
-  for (int c = 0; c < b.neighbors.clusters; ++c)
-    for_each_neighbor(b.neighbors, c, [&](int j) {
-      const int first = b.neighbors.first(c);
-      Real least = support_ratio + 1; // r / h
-      for (int i = first; i < first + b.neighbors.size(c); ++i) {
-        const Vector3 d = load_vector(x, i) - load_vector(x, j);
-        const Real q = norm(d) * (inverse_support(i) + inverse_support(j));
-        least = Kokkos::min(least, q), found.pairs += q < support_ratio;
-      }
-      ++found.rows, found.vain += least > Real(1.005) * support_ratio;
-    });
+  Kokkos::parallel_reduce(
+      "count_visits", Range(0, n.clusters),
+      KOKKOS_LAMBDA(int c, long& rows, long& pairs, long& vain) {
+        for_each_neighbor(n, c, [&](int j) {
+          Real least = support_ratio + 1; // r / h
+          for (int i = n.first(c); i < n.first(c) + n.size(c); ++i) {
+            const Vector3 d = load_vector(p.position, i) - load_vector(p.position, j);
+            const Real q = norm(d) * (p.inverse_support(i) + p.inverse_support(j));
+            least = Kokkos::min(least, q), pairs += q < support_ratio;
+          }
+          ++rows, vain += least > Real(1.005) * support_ratio;
+        });
+      },
+      found.rows, found.pairs, found.vain);
   return found;
 }
 

@@ -96,7 +96,7 @@ KOKKOS_FORCEINLINE_FUNCTION Symmetric3Of<Pack> broadcast_symmetric(const TensorF
   return {Pack(row(0)), Pack(row(4)), Pack(row(8)), Pack(row(1)), Pack(row(5)), Pack(row(2))};
 }
 
-// Symmetric in i and j, so that pair forces cancel to the last bit: 1/h_ij = (1/h_i + 1/h_j) / 2.
+// Symmetric in i and j, so that pair forces cancel to round-off: 1/h_ij = (1/h_i + 1/h_j) / 2.
 KOKKOS_FORCEINLINE_FUNCTION Pack mean_inverse_h(const Pack& inverse_support_i, Real inverse_support_j) {
   return inverse_support_i + Pack(inverse_support_j);
 }
