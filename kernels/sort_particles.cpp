@@ -1,8 +1,8 @@
 // Puts rows [0, count) of every field in the order of a Hilbert curve: the lanes of a pack hold particles
 // that are near, so that their common list is short, and lists touch memory that is near. Along a Z curve,
 // which jumps, lists are 10 to 16 % longer. The cells are those of the lattice that the particles began on:
-// the 8 rows of a pack are the corners of a cube, where other cells give lists 12 % longer (3 % where little
-// is left of the lattice). Stable: sorted rows stay as they are, which a restart relies on.
+// in a block the 8 rows of a pack are the corners of a cube, where other cells give lists 12 % longer (3 %
+// where the lattice is polar or worn). Stable: sorted rows stay as they are, which a restart relies on.
 #include "cell_order.hpp"
 #include <bit>
 

@@ -17,7 +17,8 @@ void wrap_periodic(const Particles& p, const ImagePlanes& planes, const Status& 
           if (dot(plane.normal, x) >= plane.offset) return;
           const Transform& map = plane.to_image;
           const Vector3 wrapped = apply(map, x);
-          if (!(dot(plane.normal, wrapped) >= plane.offset)) report(status, Fault::particle_lost, i);
+          if (!(dot(plane.normal, wrapped) >= plane.offset)) // rows are sorted before anyone reads it
+            report(status, Fault::particle_lost, p.identity(i));
           store_vector(p.position, i, wrapped);
           store_vector(p.velocity, i, multiply(map.R, load_vector(p.velocity, i)));
           store_vector(p.force, i, multiply(map.R, load_vector(p.force, i)));

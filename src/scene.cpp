@@ -74,11 +74,14 @@ double largest_smoothing_length(const Deck& deck, const std::vector<FilledBody>&
   return largest;
 }
 
-CellGrid lattice_of(const PointSet& points) {
-  const double half = 0.5 * points.spacing;
-  Point low = points.position.empty() ? Point(half, half, half) : points.position.front();
-  for (const Point& x : points.position) low = low.cwiseMin(x);
-  return {to_vector3(Point(low - Point(half, half, half))), Real(points.spacing)};
+// Of cells with a particle in the middle of each, those that hexes will become among them.
+CellGrid lattice_of(const FilledBody& body) {
+  const bool filled = !body.points.position.empty();
+  const std::vector<Point>& corners = filled ? body.points.position : body.hexes.node;
+  const double half = filled ? 0.5 * body.points.spacing : 0;
+  Point low = corners.front();
+  for (const Point& x : corners) low = low.cwiseMin(x);
+  return {to_vector3(Point(low - Point(half, half, half))), Real(body.points.spacing)};
 }
 
 // The mass of a hex as a material point is that of the volume that carries stress; its nodes keep it all.
@@ -141,7 +144,7 @@ Scene build_scene(const Deck& deck) {
   scene.cutoff = support + scene.skin;
   for (const FilledBody& b : bodies)
     if (b.points.spacing > 0 && (scene.spacing == 0 || b.points.spacing < scene.spacing))
-      scene.spacing = b.points.spacing, scene.lattice = lattice_of(b.points);
+      scene.spacing = b.points.spacing, scene.lattice = lattice_of(b);
 
   scene.hex_diagonal = largest_diagonal(bodies);
   check_sleep(deck, scene);

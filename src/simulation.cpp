@@ -64,7 +64,6 @@ void Simulation::move() {
 
 void Simulation::rebuild_lists() {
   wrap_periodic(model.particles, model.image_planes, status);
-  check_status(); // it names rows as they are before they are sorted
   sort_particles(model.particles, model.lattice);
   project_tie(model.tie, model.particles, model.hexes);
   make_images(model.particles, lists, model.image_planes);

@@ -22,8 +22,11 @@ double elastic_scale_of(const MaterialPoints& points, const MaterialTable& table
 
 void Simulation::check_status() {
   const auto particle_fault = value_of(status), hex_fault = value_of(hex_status);
-  if (particle_fault != no_fault)
-    fail(Fault(particle_fault >> 32), place_of_particle(unsigned(particle_fault)));
+  if (particle_fault != no_fault) {
+    const Fault fault = Fault(particle_fault >> 32);
+    const unsigned of = unsigned(particle_fault);
+    fail(fault, fault == Fault::particle_lost ? fmt::format("particle {}", of) : place_of_particle(of));
+  }
   if (hex_fault != no_fault) fail(Fault(hex_fault >> 32), place_of_hex(unsigned(hex_fault)));
 }
 

@@ -62,7 +62,7 @@ TEST(ParticleForces, ConserveLinearMomentumToRoundOff) {
 }
 
 // Between the velocity gradient, which marks who is within the support, and the forces the support grows or
-// shrinks with the volume: by 1 % of it here, more than any step changes.
+// shrinks with the volume: by 1 % of it here. (In float the round-off hides pairs that one side misses.)
 TEST(ParticleForces, ConserveLinearMomentumWhileSmoothingLengthsEvolve) {
   ParticleBlock b = stressed_block();
   velocity_gradient(b.particles, b.neighbors, b.method);
@@ -131,7 +131,7 @@ TEST(ParticleForces, ReconstructedViscosityLeavesALinearFieldAlone) {
   };
   const double plain = power(false);
   EXPECT_GT(plain, 1e3);
-  EXPECT_LT(power(true), 10 * std::numeric_limits<Real>::epsilon() * plain);
+  EXPECT_LT(std::abs(power(true)), 10 * std::numeric_limits<Real>::epsilon() * plain);
 }
 
 } // namespace swarf::test

@@ -102,8 +102,9 @@ KOKKOS_FORCEINLINE_FUNCTION Pack mean_inverse_h(const Pack& inverse_support_i, R
 }
 
 // Whether the pair is, for any lane, within the support, or so little beyond that the forces of the same
-// step, before which h follows the volume, may find it within: 1/256 of it, 1.2 % of the volume. Not finite:
-// near, so that a fault spreads.
+// step, before which h follows the volume, may find it within: 1/256 of it, 1.2 % of the volume. Where a
+// fragment grows by more in a step, one side may miss a pair at the rim, where W' is 1e-4 of its most and
+// less. Not finite: near, so that a fault spreads.
 KOKKOS_FORCEINLINE_FUNCTION bool any_near(const Vector3Of<Pack>& x_ij, const Pack& inverse_h) {
   constexpr Real reach = support_ratio * (Real(1) + Real(1) / Real(256));
   return any_of(!(dot(x_ij, x_ij) * (inverse_h * inverse_h) >= Pack(reach * reach)));
