@@ -20,15 +20,11 @@ void wrap_periodic(const Particles& p, const ImagePlanes& planes, const Status& 
           if (!(dot(plane.normal, wrapped) >= plane.offset)) // rows are sorted before anyone reads it
             report(status, Fault::particle_lost, p.identity(i));
           store_vector(p.position, i, wrapped);
-          store_vector(p.velocity, i, multiply(map.R, load_vector(p.velocity, i)));
-          store_vector(p.force, i, multiply(map.R, load_vector(p.force, i)));
-          store_vector(p.friction_force, i, multiply(map.R, load_vector(p.friction_force, i)));
-          store_vector(p.contact_force, i, multiply(map.R, load_vector(p.contact_force, i)));
-          if (hourglass) {
-            store_vector(p.hourglass_displacement, i,
-                         multiply(map.R, load_vector(p.hourglass_displacement, i)));
-            store_vector(p.hourglass_rate, i, multiply(map.R, load_vector(p.hourglass_rate, i)));
-          }
+          const auto turn = [&](const VectorField& field) {
+            store_vector(field, i, multiply(map.R, load_vector(field, i)));
+          };
+          turn(p.velocity), turn(p.force), turn(p.friction_force), turn(p.contact_force);
+          if (hourglass) turn(p.hourglass_displacement), turn(p.hourglass_rate);
           store_symmetric(stress, i, rotate(map.R, load_symmetric(stress, i)));
           store_tensor(L, i, multiply(multiply(map.R, load_tensor(L, i)), transpose(map.R)));
         });

@@ -74,13 +74,13 @@ double largest_smoothing_length(const Deck& deck, const std::vector<FilledBody>&
   return largest;
 }
 
-// Of cells with a particle in the middle of each, those that hexes will become among them.
+// Its cells hold a particle each, in the middle; those of hexes that will be particles begin at the nodes.
 CellGrid lattice_of(const FilledBody& body) {
   const bool filled = !body.points.position.empty();
-  const std::vector<Point>& corners = filled ? body.points.position : body.hexes.node;
+  const std::vector<Point>& points = filled ? body.points.position : body.hexes.node;
   const double half = filled ? 0.5 * body.points.spacing : 0;
-  Point low = corners.front();
-  for (const Point& x : corners) low = low.cwiseMin(x);
+  Point low = points.front();
+  for (const Point& x : points) low = low.cwiseMin(x);
   return {to_vector3(Point(low - Point(half, half, half))), Real(body.points.spacing)};
 }
 

@@ -93,33 +93,38 @@ TEST(MakeImages, PeriodicForcesConserveMomentum) {
 }
 
 // A quarter of a ring: what leaves through x = 0 comes back through y = 0, turned by -90 degrees.
+const ImagePlane quarter{{1, 0, 0}, 0, {{0, 1, 0, -1, 0, 0, 0, 0, 1}, {0, 0, 0}}, true, true};
+
 TEST(WrapPeriodic, TurnsAllThatHasADirection) {
   ParticleBlock b = particle_block(2, 1, 1, Real(1e-3));
   Particles& p = b.particles;
-  p.hourglass_displacement = VectorField("hourglass_displacement", 2);
-  p.hourglass_rate = VectorField("hourglass_rate", 2);
   const Vector3 out{Real(-1e-4), Real(5e-3), 0}, v{1, 2, 3};
   const VectorField directed[] = {p.velocity,      p.force,          p.friction_force,
                                   p.contact_force, p.hourglass_rate, p.hourglass_displacement};
-  const auto set = [](const VectorField& field, int row, const Vector3& to) {
-    const auto rows = host_copy(field);
-    store_vector(rows, row, to);
-    Kokkos::deep_copy(field, rows);
-  };
-  for (const VectorField& field : directed) set(field, 0, v), set(field, 1, v);
-  set(p.position, 0, out);
-  const Transform turn{{0, 1, 0, -1, 0, 0, 0, 0, 1}, {0, 0, 0}};
-  const ImagePlanes planes = {{{1, 0, 0}, 0, turn, true, true}};
+  for (const VectorField& field : directed) set_rows(field, 2, [&](const Vector3&) { return v; });
+  set_rows(p.position, 1, [&](const Vector3&) { return out; });
   const Status status("status");
   Kokkos::deep_copy(status, no_fault);
-  wrap_periodic(p, planes, status);
+  wrap_periodic(p, {quarter}, status);
   EXPECT_EQ(host_copy(status)(), no_fault);
   EXPECT_EQ(norm(load_vector(host_copy(p.position), 0) - Vector3{Real(5e-3), Real(1e-4), 0}), 0);
-  for (const VectorField& field : directed) {
-    const auto rows = host_copy(field);
-    EXPECT_EQ(norm(load_vector(rows, 0) - Vector3{2, -1, 3}), 0) << field.label();
-    EXPECT_EQ(norm(load_vector(rows, 1) - v), 0) << field.label();
+  for (int k = 0; k < 6; ++k) {
+    const auto rows = host_copy(directed[k]);
+    EXPECT_EQ(norm(load_vector(rows, 0) - Vector3{2, -1, 3}), 0) << k;
+    EXPECT_EQ(norm(load_vector(rows, 1) - v), 0) << k;
   }
+}
+
+// By identity: rows are sorted before the status is read.
+TEST(WrapPeriodic, NamesAParticleThatIsLost) {
+  ParticleBlock b = particle_block(2, 1, 1, Real(1e-3));
+  Kokkos::deep_copy(b.particles.identity, 7);
+  set_rows(b.particles.position, 1, [](const Vector3&) { return Vector3{Real(-1e-4), Real(-5e-3), 0}; });
+  const Status status("status");
+  Kokkos::deep_copy(status, no_fault);
+  wrap_periodic(b.particles, {quarter}, status);
+  EXPECT_EQ(host_copy(status)() >> 32, unsigned(Fault::particle_lost));
+  EXPECT_EQ(unsigned(host_copy(status)()), 7u);
 }
 
 } // namespace swarf::test

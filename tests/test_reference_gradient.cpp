@@ -16,13 +16,6 @@ ParticleBlock initial_block(const ImagePlanes& planes = {}) {
   return b;
 }
 
-template <class Function>
-void set_rows(const VectorField& field, int count, Function&& value) {
-  const auto f = host_copy(field);
-  for (int i = 0; i < count; ++i) store_vector(f, i, value(load_vector(f, i)));
-  Kokkos::deep_copy(field, f);
-}
-
 // x = F X, v = rate x
 void deform(ParticleBlock& b, const Tensor3& F, const Tensor3& rate, const ImagePlanes& planes = {}) {
   Particles& p = b.particles;

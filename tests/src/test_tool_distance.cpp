@@ -41,13 +41,19 @@ FacetSurface make_sphere(double radius, int halvings) {
   return s;
 }
 
+View<Vector3*> upload_points(const std::vector<Triple>& points) {
+  const View<Vector3*> x("x", points.size());
+  const auto host = Kokkos::create_mirror_view(x);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    host(i) = {Real(points[i][0]), Real(points[i][1]), Real(points[i][2])};
+  Kokkos::deep_copy(x, host);
+  return x;
+}
+
 std::vector<ToolDistance> query(const Tool& tool, const std::vector<Triple>& points) {
   const int n = int(points.size());
-  const View<Vector3*> x("x", n);
+  const View<Vector3*> x = upload_points(points);
   const View<ToolDistance*> result("result", n);
-  const auto host = Kokkos::create_mirror_view(x);
-  for (int i = 0; i < n; ++i) host(i) = {Real(points[i][0]), Real(points[i][1]), Real(points[i][2])};
-  Kokkos::deep_copy(x, host);
   Kokkos::parallel_for(
       "query", Range(0, n), KOKKOS_LAMBDA(const int i) { result(i) = signed_distance(tool, x(i)); });
   const auto out = host_copy(result);
@@ -98,12 +104,8 @@ void expect_exact(const FacetSurface& surface, const ToolDeck& deck, double reac
 }
 
 View<int*> which_are_beyond(const Tool& tool, const std::vector<Triple>& points, double gap) {
-  const View<Vector3*> x("x", points.size());
+  const View<Vector3*> x = upload_points(points);
   const View<int*> result("result", points.size());
-  const auto host = Kokkos::create_mirror_view(x);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    host(i) = {Real(points[i][0]), Real(points[i][1]), Real(points[i][2])};
-  Kokkos::deep_copy(x, host);
   Kokkos::parallel_for(
       "beyond", Range(0, int(points.size())),
       KOKKOS_LAMBDA(const int i) { result(i) = is_beyond(tool, x(i), Real(gap)); });
@@ -118,15 +120,17 @@ TEST(ToolDistance, BeyondIsOutsideAndFarther) {
   const Tool tool = build_tool(surface, make_mill(), reach);
   const auto points = scatter_points(surface, reach, 2000);
   const auto beyond = host_copy(which_are_beyond(tool, points, gap));
-  int farther = 0, said = 0;
+  int farther = 0, said = 0, farther_in_reach = 0, said_in_reach = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double exact = exact_distance(surface, points[i]);
-    if (exact < reach) farther += exact > gap, said += beyond(i);
+    farther += exact > gap, said += beyond(i);
+    if (exact < reach) farther_in_reach += exact > gap, said_in_reach += beyond(i);
     if (beyond(i)) {
       EXPECT_GT(exact, gap * (1 - 1e-4)) << i;
     }
   }
   EXPECT_GT(said, farther / 2);
+  EXPECT_GT(said_in_reach, farther_in_reach / 2);
 }
 
 TEST(ToolDistance, DistanceIsExactOnAMill) {

@@ -21,6 +21,14 @@ inline void allocate(Particles& p, int rows) {
   make(p.pair_stress), make(p.artificial_stress);
 }
 
+// Each of the first rows becomes value(what it is).
+template <class Function>
+void set_rows(const VectorField& field, int count, Function&& value) {
+  const auto f = host_copy(field);
+  for (int i = 0; i < count; ++i) store_vector(f, i, value(load_vector(f, i)));
+  Kokkos::deep_copy(field, f);
+}
+
 inline Material elastic_steel() {
   Material m;
   m.density = 7800, m.bulk_modulus = 1e11, m.shear_modulus = 8e10, m.specific_heat = 500;
