@@ -9,8 +9,9 @@ void bench_sort_particles(benchmark::State& state) {
   const ParticleCube& c = particle_cube(state.range(0));
   Particles particles = c.particles;
   double bytes = 0;
-  particles.for_each_field([&](const char*, auto& field) {
-    bytes += double(field.size()) * sizeof(typename std::decay_t<decltype(field)>::value_type);
+  for_each_field(particles, [&](const char*, const auto& field, auto facts) {
+    if (facts.life == Life::history)
+      bytes += double(field.size()) * sizeof(typename std::decay_t<decltype(field)>::value_type);
   });
   int cells = 16;
   for (auto _ : state) sort_particles(particles, {{0, 0, 0}, spacing * Real(cells) / 16}), cells = 27 - cells;

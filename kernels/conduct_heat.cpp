@@ -5,8 +5,8 @@
 // tied particles, whose volumes fall along the ramp, too little across it. Reads temperature, heat_shape
 // (velocity_gradient.cpp), volume, inverse_support, mass. Writes heat (J, rows [0, count + tied)) and the
 // temperature of rows [0, count); heat_state is its own.
+#include "copy_to_images.hpp"
 #include "swarf/heat.hpp"
-#include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
 namespace swarf {
@@ -19,20 +19,6 @@ void prepare_heat_state(const Particles& p, const MaterialTable& materials) {
         p.heat_state(i, 0) = points.temperature(i);
         p.heat_state(i, 1) = materials(points.material(i)).conductivity;
       });
-}
-
-void copy_to_images(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
-  const int first = n.image_first;
-  const auto source = n.image_source;
-  for (int k = 0; k < n.planes; ++k) { // planes of later pairs copy images of earlier ones
-    const Tensor3 R = planes[k].to_image.R;
-    Kokkos::parallel_for(
-        "update_image_heat", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
-          const int i = source(image), to = first + image;
-          store_symmetric(p.heat_shape, to, rotate(R, load_symmetric(p.heat_shape, i)));
-          p.heat_state(to, 0) = p.heat_state(i, 0), p.heat_state(to, 1) = p.heat_state(i, 1);
-        });
-  }
 }
 
 // W / m3
@@ -61,7 +47,7 @@ void conduct_heat(const Particles& p, const Neighbors& n, const ImagePlanes& pla
                   const MaterialTable& materials, Real dt) {
   if (p.count + p.tied == 0) return;
   prepare_heat_state(p, materials);
-  copy_to_images(p, n, planes);
+  copy_to_images<Images::in_conduct_heat>("update_image_heat", p, n, planes);
   const MaterialPoints points = p.points;
   const int count = p.count;
   Kokkos::parallel_for(

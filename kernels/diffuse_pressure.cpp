@@ -8,7 +8,7 @@
 // and have not failed: the pressure of failed ones follows from their density. Reads stress, damage, K in
 // pair_stress, volume, inverse_support, impedance; writes stress and density; moves the elastic energy that
 // is lost from internal_work to hourglass_work.
-#include "swarf/kernels.hpp"
+#include "copy_to_images.hpp"
 #include "swarf/pair.hpp"
 
 namespace swarf {
@@ -20,22 +20,6 @@ void prepare_pressure(const Particles& p) {
         p.pressure_state(i, 0) = trace(load_symmetric(p.points.stress, i)) / Real(-3);
         for (int d = 0; d < 3; ++d) p.pressure_state(i, 1 + d) = 0;
       });
-}
-
-void copy_to_images(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
-  const int first = n.image_first;
-  const auto source = n.image_source;
-  const auto state = p.pressure_state;
-  for (int k = 0; k < n.planes; ++k) { // planes of later pairs copy images of earlier ones
-    const Tensor3 R = planes[k].to_image.R;
-    Kokkos::parallel_for(
-        "update_image_pressure", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
-          const int i = source(image), to = first + image;
-          const Vector3 g = multiply(R, Vector3{state(i, 1), state(i, 2), state(i, 3)});
-          state(to, 0) = state(i, 0);
-          state(to, 1) = g.x, state(to, 2) = g.y, state(to, 3) = g.z;
-        });
-  }
 }
 
 KOKKOS_INLINE_FUNCTION Vector3Of<Pack> sum_gradient(const Particles& p, const Neighbors& n, int cluster,
@@ -93,9 +77,9 @@ KOKKOS_INLINE_FUNCTION Pack sum_diffusion(const Particles& p, const Neighbors& n
 void diffuse_pressure(const Particles& p, const Neighbors& n, const ImagePlanes& planes,
                       const MaterialTable& materials, const PressureDiffusion& set) {
   prepare_pressure(p);
-  copy_to_images(p, n, planes);
+  copy_to_images<Images::in_diffuse_pressure>("update_image_pressure", p, n, planes);
   find_gradient(p, n);
-  copy_to_images(p, n, planes);
+  copy_to_images<Images::in_diffuse_pressure>("update_image_pressure", p, n, planes);
   const MaterialPoints points = p.points;
   Kokkos::parallel_for(
       "diffuse_pressure", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {

@@ -2,6 +2,7 @@
 // special cases: rows [stored, total) of the fields that a neighbour is read from. Made at every
 // rebuild of the lists; update_images and update_image_state refresh their values in each step.
 #include "cell_order.hpp"
+#include "copy_to_images.hpp"
 
 namespace swarf {
 namespace {
@@ -29,27 +30,10 @@ int append_sources(const VectorField& position, const SeenRows& seen, const Imag
 void ensure_image_rows(Particles& p, int rows) {
   if (int(p.position.extent(0)) >= rows) return;
   const int room = rows + (rows - p.stored) / 8;
-  ensure_rows(p.position, room), ensure_rows(p.velocity, room);
-  ensure_rows(p.inverse_support, room), ensure_rows(p.volume, room);
-  ensure_rows(p.points.velocity_gradient, room), ensure_rows(p.pair_stress, room);
-  ensure_rows(p.impedance, room);
-  if (p.artificial_stress.extent(0) > 0) ensure_rows(p.artificial_stress, room);
-  if (p.hourglass_displacement.extent(0) > 0) ensure_rows(p.hourglass_displacement, room);
-  if (p.deformation_gradient.extent(0) > 0) ensure_rows(p.deformation_gradient, room);
-  if (p.pressure_state.extent(0) > 0) ensure_rows(p.pressure_state, room);
-  if (p.heat_state.extent(0) > 0) ensure_rows(p.heat_state, room), ensure_rows(p.heat_shape, room);
-}
-
-// Static values of images, and their positions, which planes of later pairs must see.
-void fill_images(const Particles& p, const Neighbors& n, const ImagePlane& plane, int begin, int end) {
-  const int first = n.image_first;
-  const auto source = n.image_source;
-  Kokkos::parallel_for(
-      "fill_images", Range(begin, end), KOKKOS_LAMBDA(int k) {
-        const int i = source(k), image = first + k;
-        store_vector(p.position, image, apply(plane.to_image, load_vector(p.position, i)));
-        p.inverse_support(image) = p.inverse_support(i);
-      });
+  for_each_field(p, [&](const char*, auto& field, auto facts) {
+    if constexpr (facts.on_images)
+      if (field.extent(0) > 0) ensure_rows(field, room);
+  });
 }
 
 } // namespace
@@ -66,7 +50,8 @@ void make_images(Particles& p, Neighbors& n, const ImagePlanes& planes) {
       n.images += append_sources(p.position, seen, planes[plane], n.cutoff, n.image_source, n.images);
     n.image_start[plane + 1] = n.images;
     ensure_image_rows(p, n.image_first + n.images);
-    fill_images(p, n, planes[plane], n.image_start[plane], n.image_start[plane + 1]);
+    // Also positions, which planes of later pairs must see.
+    copy_to_images<Images::when_made>("fill_images", p, n, planes, plane);
   }
   p.total = n.image_first + n.images;
 }

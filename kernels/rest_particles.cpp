@@ -123,8 +123,9 @@ void rest_particles(Particles& p, const Tie& tie, const VectorField& action, con
       {0, rows_before(key, awake_tied), rows_before(key, listed), rows_before(key, far), p.stored}};
   const Moves moves = moves_between(key, starts);
   const PermuteScratch scratch(moves);
-  p.for_each_field([&](const char*, auto& field) { permute(field, moves, scratch); });
-  p.for_each_pair_field([&](const char*, auto& field) { permute(field, moves, scratch); });
+  for_each_field(p, [&](const char*, const auto& field, auto facts) {
+    if (facts.life != Life::derived) permute(field, moves, scratch);
+  });
   p.count = starts.first[awake_tied];
   p.tied = starts.first[listed] - p.count;
   p.listed = starts.first[far];

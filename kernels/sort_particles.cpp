@@ -65,9 +65,10 @@ void sort_particles(Particles& p, const CellGrid& lattice) {
   const Moves moves =
       moves_to(sort_rows(p.position, first_rows(p.count), hilbert_key_of(p.position, p.count, grid)));
   const PermuteScratch scratch(moves);
-  p.for_each_field([&](const char*, auto& field) { permute(field, moves, scratch); });
-  if (p.damping.extent(0) > 0) // what falls asleep keeps them
-    p.for_each_pair_field([&](const char*, auto& field) { permute(field, moves, scratch); });
+  const bool sleeps = p.damping.extent(0) > 0; // what falls asleep keeps its pair fields
+  for_each_field(p, [&](const char*, const auto& field, auto facts) {
+    if (facts.life == Life::history || (facts.life == Life::pair && sleeps)) permute(field, moves, scratch);
+  });
 }
 
 } // namespace swarf

@@ -91,13 +91,12 @@ void copy_rows(const Field& to, const Field& from, const std::vector<int>& sourc
 }
 
 // Particles of which row i was row source[i], or is new.
-Particles take_rows(const Deck& deck, Particles& from, const std::vector<int>& source) {
-  Particles to = allocate_particles(deck, int(source.size()));
-  std::vector<void*> fields; // both are visited in the same order
-  from.for_each_field([&](const char*, auto& field) { fields.push_back(&field); });
-  auto next = fields.begin();
-  to.for_each_field([&](const char*, auto& field) {
-    copy_rows(field, *static_cast<std::decay_t<decltype(field)>*>(*next++), source);
+Particles take_rows(const Deck& deck, const Particles& from, const std::vector<int>& source) {
+  Particles to = from; // the same Views, until each field gets its own
+  for_each_field(to, [&](const char* name, auto& field, auto facts) {
+    const auto old = field;
+    allocate(field, name, facts, deck, int(source.size()));
+    if (facts.life == Life::history) copy_rows(field, old, source);
   });
   return to;
 }

@@ -114,21 +114,10 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
   const int n = int(hexes.size());
   m.points.count = n;
   m.nodes = int(nodes.size());
-  const auto allocate = [](const std::string& name, auto& field, int rows) {
-    field = std::decay_t<decltype(field)>(name, std::size_t(rows));
-  };
-  m.points.for_each_field([&](const std::string& name, auto& field) { allocate(name, field, n); });
-  allocate("gradient", m.gradient, n), allocate("corner_force", m.corner_force, n);
-  allocate("hourglass", m.hourglass, n), allocate("hourglass_work", m.hourglass_work, n);
-  allocate("viscous_work", m.viscous_work, n);
-  allocate("force", m.force, m.nodes), allocate("friction_force", m.friction_force, m.nodes);
-  allocate("contact_force", m.contact_force, m.nodes), allocate("friction_work", m.friction_work, m.nodes);
-  allocate("external_work", m.external_work, m.nodes), allocate("contact_energy", m.contact_energy, m.nodes);
-  allocate("contact_gap", m.contact_gap, m.nodes);
-  if (deck.sleep.distance) allocate("damping", m.damping, m.nodes);
-
+  for_each_field(m, [&](const char* name, auto& field, auto facts) {
+    allocate(field, name, facts, deck, facts.place == Place::on_node ? m.nodes : n);
+  });
   if (conducts_heat(deck)) {
-    allocate("corner_heat", m.corner_heat, n), allocate("nodal_heat", m.nodal_heat, m.nodes);
     m.nodal_temperature = upload<ScalarField>(
         "nodal_temperature", m.nodes, [&](auto& f, int a) { f(a) = Real(nodes[a].body->deck->temperature); });
     m.heat_capacity = upload<ScalarField>("heat_capacity", m.nodes, [&](auto& f, int a) {

@@ -41,27 +41,36 @@ std::vector<int> particle_rows(const Particles& p) {
   return rows;
 }
 
-Particles allocate_particles(const Deck& deck, int n) {
-  Particles p;
-  const auto allocate = [&](const std::string& name, auto& field) {
-    field = std::decay_t<decltype(field)>(name, std::size_t(n));
-  };
-  p.for_each_field([&](const std::string& name, auto& field) {
-    const bool stiff = deck.particles.hourglass_stiffness > 0 && deck.particles.kernel_frame != "initial";
-    if ((name == "hourglass_displacement" || name == "hourglass_rate") && !stiff) return;
-    if (name == "damping" && !deck.sleep.distance) return;
-    if (name == "reference_summation" && deck.particles.density != "summation") return;
-    allocate(name, field);
-  });
-  allocate("pair_stress", p.pair_stress);
-  if (deck.particles.artificial_stress > 0) allocate("artificial_stress", p.artificial_stress);
-  if (deck.particles.kernel_frame == "initial") allocate("deformation_gradient", p.deformation_gradient);
-  if (deck.particles.xsph > 0) allocate("drift_velocity", p.drift_velocity);
-  if (deck.particles.pressure_diffusion > 0) allocate("pressure_state", p.pressure_state);
-  if (conducts_heat(deck)) {
-    allocate("heat_state", p.heat_state), allocate("heat_shape", p.heat_shape);
-    allocate("heat", p.heat);
+bool uses(const Deck& deck, Method method) {
+  const ParticlesDeck& set = deck.particles;
+  const bool initial = set.kernel_frame == "initial";
+  switch (method) {
+  case Method::always:
+    return true;
+  case Method::with_artificial_stress:
+    return set.artificial_stress > 0;
+  case Method::with_conduction:
+    return conducts_heat(deck);
+  case Method::with_hourglass_stiffness:
+    return set.hourglass_stiffness > 0 && !initial;
+  case Method::with_initial_frame:
+    return initial;
+  case Method::with_pressure_diffusion:
+    return set.pressure_diffusion > 0;
+  case Method::with_sleep:
+    return bool(deck.sleep.distance);
+  case Method::with_summation:
+    return set.density == "summation";
+  case Method::with_xsph:
+    return set.xsph > 0;
   }
+  return false;
+}
+
+Particles allocate_particles(const Deck& deck, int rows) {
+  Particles p;
+  for_each_field(
+      p, [&](const char* name, auto& field, auto facts) { allocate(field, name, facts, deck, rows); });
   return p;
 }
 

@@ -8,6 +8,14 @@ namespace swarf {
 
 Material make_material(const MaterialDeck& deck);
 
+bool uses(const Deck& deck, Method method); // whether the deck asks for it
+
+// Zeros, if the deck asks for the field of this row of a table; else 0 rows.
+template <class Field, auto... named>
+void allocate(Field& field, const char* name, Facts<named...>, const Deck& deck, int rows) {
+  field = Field(name, std::size_t(uses(deck, Facts<named...>::method) ? rows : 0));
+}
+
 // Every field of `rows` rows that the deck's methods use, zero; the counts are the caller's.
 Particles allocate_particles(const Deck& deck, int rows);
 

@@ -7,6 +7,11 @@
 namespace swarf {
 namespace {
 
+// Sleeping rows keep what the others make again.
+bool is_kept(Life life, const Deck& deck) {
+  return life == Life::history || (life == Life::pair && deck.sleep.distance);
+}
+
 // Rows that a checkpoint keeps: images are made again.
 template <class Field>
 Field first_rows(const Field& field, int rows) {
@@ -20,17 +25,16 @@ Field first_rows(const Field& field, int rows) {
 } // namespace
 
 void Simulation::write_state(CheckpointWriter& out) const {
-  Particles p = model.particles; // Views: shallow
-  HexMesh m = model.hexes;
+  const Particles& p = model.particles;
   const int rows = p.stored;
   out.put("awake", p.count), out.put("awake_tied", p.tied), out.put("listed", p.listed);
   out.put("rested_at", rested_at), out.put("rest_due", int(rest_due));
-  if (deck.sleep.distance)
-    p.for_each_pair_field(
-        [&](const std::string& name, auto& field) { out.put("particles/" + name, first_rows(field, rows)); });
-  p.for_each_field(
-      [&](const std::string& name, auto& field) { out.put("particles/" + name, first_rows(field, rows)); });
-  m.for_each_field([&](const std::string& name, auto& field) { out.put("hexes/" + name, field); });
+  for_each_field(p, [&](const std::string& name, const auto& field, auto facts) {
+    if (is_kept(facts.life, deck)) out.put("particles/" + name, first_rows(field, rows));
+  });
+  for_each_field(model.hexes, [&](const std::string& name, const auto& field, auto facts) {
+    if (facts.life == Life::history) out.put("hexes/" + name, field);
+  });
   out.put("lists/build_position", first_rows(lists.build_position, rows));
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
   const Real* values = reinterpret_cast<const Real*>(&load);
@@ -70,11 +74,13 @@ void Simulation::read_state(const CheckpointReader& in) {
   int rests = 0;
   in.get("rest_due", rests);
   rest_due = rests != 0;
-  if (deck.sleep.distance)
-    p.for_each_pair_field([&](const std::string& name, auto& field) { read("particles/" + name, field); });
   // The lists are made again from the positions at which they were made, so that every sum keeps its order.
-  p.for_each_field([&](const std::string& name, auto& field) { read("particles/" + name, field); });
-  model.hexes.for_each_field([&](const std::string& name, auto& field) { read("hexes/" + name, field); });
+  for_each_field(p, [&](const std::string& name, auto& field, auto facts) {
+    if (is_kept(facts.life, deck)) read("particles/" + name, field);
+  });
+  for_each_field(model.hexes, [&](const std::string& name, auto& field, auto facts) {
+    if (facts.life == Life::history) read("hexes/" + name, field);
+  });
   VectorField built;
   in.get("lists/build_position", built);
   Kokkos::deep_copy(p.position, built);

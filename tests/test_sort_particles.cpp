@@ -10,9 +10,9 @@ namespace {
 // By particle and column, exact in every type of field.
 template <class Visit>
 void for_each_entry(Particles& p, const Visit& visit) {
-  p.for_each_field([&](const std::string& name, auto& field) {
+  for_each_field(p, [&](const std::string& name, auto& field, auto facts) {
     using Field = std::decay_t<decltype(field)>;
-    if (name == "position" || field.extent(0) == 0) return;
+    if (facts.life == Life::derived || name == "position" || field.extent(0) == 0) return;
     const auto host = host_copy(field);
     for (int i = 0; i < p.count; ++i)
       if constexpr (Field::rank == 1)

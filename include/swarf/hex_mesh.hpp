@@ -38,16 +38,39 @@ struct HexMesh {
   // Periodic pairs: node slave follows node master; rows (master, slave, transform).
   View<int* [3]> coupled_nodes;
 
-  template <class Visitor>
-  void for_each_field(Visitor&& visit) {
-    points.for_each_field(visit);
-    visit("volume", volume), visit("hourglass", hourglass), visit("hourglass_work", hourglass_work);
-    visit("viscous_work", viscous_work), visit("active", active);
-    visit("position", position), visit("velocity", velocity), visit("force", force);
-    visit("friction_force", friction_force), visit("contact_force", contact_force);
-    visit("friction_work", friction_work), visit("external_work", external_work);
-    visit("contact_energy", contact_energy), visit("nodal_temperature", nodal_temperature);
-    visit("constraints", constraints), visit("damping", damping);
+  // The table of these fields (fields.hpp): all but what says which nodes are whose.
+  template <class Self, class Visit>
+  SWARF_FN static void list_fields(Self& m, const Visit& visit) {
+    using enum Frame;
+    using enum Life;
+    using enum Method;
+    using enum Place;
+    for_each_field(m.points, visit);
+    visit("volume", m.volume, Facts<history>());
+    visit("share", m.share, Facts<>());
+    visit("gradient", m.gradient, Facts<vector>());
+    visit("corner_force", m.corner_force, Facts<vector>());
+    visit("hourglass", m.hourglass, Facts<vector, history>());
+    visit("hourglass_work", m.hourglass_work, Facts<history>());
+    visit("viscous_work", m.viscous_work, Facts<history>());
+    visit("active", m.active, Facts<history>());
+    visit("corner_heat", m.corner_heat, Facts<with_conduction>());
+    visit("position", m.position, Facts<on_node, point, history>());
+    visit("velocity", m.velocity, Facts<on_node, vector, history>());
+    visit("force", m.force, Facts<on_node, vector, history>());
+    visit("nodal_mass", m.mass, Facts<on_node>());
+    visit("heat_capacity", m.heat_capacity, Facts<on_node, with_conduction>());
+    visit("nodal_temperature", m.nodal_temperature, Facts<on_node, history, with_conduction>());
+    visit("nodal_heat", m.nodal_heat, Facts<on_node, with_conduction>());
+    visit("friction_force", m.friction_force, Facts<on_node, vector, history>());
+    visit("contact_force", m.contact_force, Facts<on_node, vector, history>());
+    visit("friction_work", m.friction_work, Facts<on_node, history>());
+    visit("external_work", m.external_work, Facts<on_node, history>());
+    visit("contact_energy", m.contact_energy, Facts<on_node, history>());
+    visit("contact_gap", m.contact_gap, Facts<on_node>());
+    visit("contact_area", m.contact_area, Facts<on_node>());
+    visit("constraints", m.constraints, Facts<on_node, history>());
+    visit("damping", m.damping, Facts<on_node, history, with_sleep>());
   }
 };
 

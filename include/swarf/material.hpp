@@ -1,6 +1,6 @@
 // Materials, and the points (particles or hexes) that carry their state.
 #pragma once
-#include "swarf/tensor.hpp"
+#include "swarf/fields.hpp"
 
 namespace swarf {
 
@@ -52,14 +52,24 @@ struct MaterialPoints {
   ScalarField internal_work;             // J, integral of V stress : D dt
   ScalarField plastic_work;              // J, the plastic part of it
 
-  // Calls visit("name", field) for every field that sorting and checkpoints carry.
-  template <class Visitor>
-  void for_each_field(Visitor&& visit) {
-    visit("material", material), visit("mass", mass), visit("density", density);
-    visit("velocity_gradient", velocity_gradient), visit("stress", stress);
-    visit("equivalent_plastic_strain", equivalent_plastic_strain);
-    visit("plastic_strain_rate", plastic_strain_rate), visit("temperature", temperature);
-    visit("damage", damage), visit("internal_work", internal_work), visit("plastic_work", plastic_work);
+  // The table of these fields (fields.hpp). Where velocity_gradient is turned, it is the D of a particle.
+  template <class Self, class Visit>
+  SWARF_FN static void list_fields(Self& p, const Visit& visit) {
+    using enum Frame;
+    using enum Life;
+    using enum Images;
+    using enum Shift;
+    visit("material", p.material, Facts<history>());
+    visit("mass", p.mass, Facts<history>());
+    visit("density", p.density, Facts<history, transported>());
+    visit("velocity_gradient", p.velocity_gradient, Facts<symmetric, history, before_forces>());
+    visit("stress", p.stress, Facts<symmetric, history, transported>());
+    visit("equivalent_plastic_strain", p.equivalent_plastic_strain, Facts<history, transported>());
+    visit("plastic_strain_rate", p.plastic_strain_rate, Facts<history>());
+    visit("temperature", p.temperature, Facts<history, transported>());
+    visit("damage", p.damage, Facts<history, transported>());
+    visit("internal_work", p.internal_work, Facts<history>());
+    visit("plastic_work", p.plastic_work, Facts<history>());
   }
 };
 

@@ -56,29 +56,48 @@ struct Particles {
   IndexField body;                 // row of the scene's bodies
   View<unsigned*> constraints;     // bit b: row b of the ConstraintTable
 
-  // Visits what sorting permutes and a checkpoint stores; derived rows are recomputed.
-  template <class Visitor>
-  void for_each_field(Visitor&& visit) {
-    points.for_each_field(visit);
-    visit("position", position), visit("velocity", velocity), visit("force", force);
-    visit("inverse_support", inverse_support), visit("volume", volume), visit("impedance", impedance);
-    visit("reference_summation", reference_summation);
-    visit("hourglass_displacement", hourglass_displacement), visit("hourglass_rate", hourglass_rate);
-    visit("friction_force", friction_force), visit("contact_force", contact_force);
-    visit("friction_work", friction_work), visit("viscous_work", viscous_work),
-        visit("hourglass_work", hourglass_work);
-    visit("external_work", external_work), visit("contact_energy", contact_energy);
-    visit("contact_gap", contact_gap), visit("contact_area", contact_area);
-    visit("identity", identity), visit("body", body), visit("constraints", constraints);
-    visit("damping", damping);
-  }
-
-  // Visits what a neighbour reads and the step recomputes for rows that are awake: sleeping rows keep it.
-  template <class Visitor>
-  void for_each_pair_field(Visitor&& visit) {
-    visit("pair_stress", pair_stress), visit("artificial_stress", artificial_stress);
-    visit("pressure_state", pressure_state);
-    visit("heat_state", heat_state), visit("heat_shape", heat_shape);
+  // The table of these fields (fields.hpp). A new one is a declaration above and a row here.
+  template <class Self, class Visit>
+  SWARF_FN static void list_fields(Self& p, const Visit& visit) {
+    using enum Frame;
+    using enum Life;
+    using enum Images;
+    using enum Method;
+    using enum Shift;
+    for_each_field(p.points, visit);
+    visit("position", p.position, Facts<point, history, when_made, after_drift>());
+    visit("velocity", p.velocity, Facts<vector, history, after_drift, transported>());
+    visit("force", p.force, Facts<vector, history>());
+    visit("inverse_support", p.inverse_support, Facts<history, when_made, after_drift, before_forces>());
+    visit("volume", p.volume, Facts<history, after_drift, before_forces>());
+    visit("impedance", p.impedance, Facts<history, after_drift, before_forces>());
+    visit("deformation_gradient", p.deformation_gradient, Facts<tensor, before_forces, with_initial_frame>());
+    visit("pair_stress", p.pair_stress, Facts<tensor, pair, before_forces>());
+    visit("artificial_stress", p.artificial_stress,
+          Facts<symmetric, pair, before_forces, with_artificial_stress>());
+    visit("heat_state", p.heat_state, Facts<pair, in_conduct_heat, with_conduction>());
+    visit("heat_shape", p.heat_shape, Facts<symmetric, pair, in_conduct_heat, with_conduction>());
+    visit("pressure_state", p.pressure_state,
+          Facts<scalar_and_vector, pair, in_diffuse_pressure, with_pressure_diffusion>());
+    visit("hourglass_displacement", p.hourglass_displacement,
+          Facts<vector, history, before_forces, with_hourglass_stiffness, transported>());
+    visit("hourglass_rate", p.hourglass_rate, Facts<vector, history, with_hourglass_stiffness>());
+    visit("drift_velocity", p.drift_velocity, Facts<vector, with_xsph>());
+    visit("heat", p.heat, Facts<with_conduction>());
+    visit("damping", p.damping, Facts<history, with_sleep>());
+    visit("reference_summation", p.reference_summation, Facts<history, with_summation>());
+    visit("friction_force", p.friction_force, Facts<vector, history>());
+    visit("contact_force", p.contact_force, Facts<vector, history>());
+    visit("friction_work", p.friction_work, Facts<history>());
+    visit("viscous_work", p.viscous_work, Facts<history>());
+    visit("hourglass_work", p.hourglass_work, Facts<history>());
+    visit("external_work", p.external_work, Facts<history>());
+    visit("contact_energy", p.contact_energy, Facts<history>());
+    visit("contact_gap", p.contact_gap, Facts<history>());
+    visit("contact_area", p.contact_area, Facts<history>());
+    visit("identity", p.identity, Facts<history>());
+    visit("body", p.body, Facts<history>());
+    visit("constraints", p.constraints, Facts<history>());
   }
 
   SWARF_FN Real smoothing_length(int i) const { return Real(0.5) / inverse_support(i); } // m

@@ -14,11 +14,12 @@ struct ParticleBlock {
 };
 
 inline void allocate(Particles& p, int rows) {
-  const auto make = [&](auto& field) { field = std::decay_t<decltype(field)>("field", rows); };
-  p.for_each_field([&](const std::string& name, auto& field) {
-    if (name != "reference_summation") make(field);
+  for_each_field(p, [&](const char* name, auto& field, auto facts) {
+    const Method method = facts.method;
+    if (method == Method::always || method == Method::with_hourglass_stiffness ||
+        method == Method::with_artificial_stress || method == Method::with_sleep)
+      field = std::decay_t<decltype(field)>(name, rows);
   });
-  make(p.pair_stress), make(p.artificial_stress);
 }
 
 // Each of the first rows becomes value(what it is).
