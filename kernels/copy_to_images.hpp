@@ -13,7 +13,7 @@ struct CopyToImage {
   template <class Field, auto... named>
   SWARF_FN void operator()(const char*, const Field& field, Facts<named...> facts) const {
     if constexpr (Facts<named...>::on_images_at(when))
-      if (field.extent(0) > 0) copy_turned(field, source, image, map, facts);
+      if (has_rows(field, facts)) copy_turned(field, source, image, map, facts);
   }
 };
 

@@ -32,7 +32,7 @@ void ensure_image_rows(Particles& p, int rows) {
   const int room = rows + (rows - p.stored) / 8;
   for_each_field(p, [&](const char*, auto& field, auto facts) {
     if constexpr (facts.on_images)
-      if (field.extent(0) > 0) ensure_rows(field, room);
+      if (has_rows(field, facts)) ensure_rows(field, room);
   });
 }
 

@@ -14,7 +14,7 @@ struct TurnRow {
   template <class Field, auto... named>
   SWARF_FN void operator()(const char*, const Field& field, Facts<named...> facts) const {
     if constexpr (facts.life != Life::derived && facts.frame != Frame::scalar)
-      if (field.extent(0) > 0) copy_turned(field, i, i, map, facts);
+      if (has_rows(field, facts)) copy_turned(field, i, i, map, facts);
   }
 };
 

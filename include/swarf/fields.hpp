@@ -40,11 +40,11 @@ enum class Method {
   with_xsph,
 };
 
-enum class Place { on_element, on_node }; // particles are elements, like hexes
-enum class Shift {
-  stays,
-  transported
-}; // whether a particle that is shifted takes the value at its new place
+// Particles are elements, like hexes.
+enum class Place { on_element, on_node };
+
+// Whether a particle that is shifted takes the value at its new place.
+enum class Shift { stays, transported };
 
 template <class Kind, auto... named>
 constexpr Kind fact_of() {
@@ -72,6 +72,12 @@ SWARF_FN void for_each_field(Fields& fields, const Visit& visit) {
   Fields::list_fields(fields, visit);
 }
 
+// Whether the run has the field; known when compiled where every run has it.
+template <class Field, auto... named>
+SWARF_FN bool has_rows(const Field& f, Facts<named...> facts) {
+  return facts.method == Method::always || f.extent(0) > 0;
+}
+
 // Row `to` of a field becomes what row `from` is in a turned frame.
 template <class Field, auto... named>
 SWARF_FN void copy_turned(const Field& f, int from, int to, const Transform& map, Facts<named...> facts) {
@@ -84,9 +90,10 @@ SWARF_FN void copy_turned(const Field& f, int from, int to, const Transform& map
     store_symmetric(f, to, rotate(R, load_symmetric(f, from)));
   else if constexpr (facts.frame == Frame::symmetric)
     store_tensor(f, to, to_tensor(rotate(R, symmetric_part(load_tensor(f, from)))));
-  else if constexpr (facts.frame == Frame::tensor)
-    store_tensor(f, to, multiply(multiply(R, load_tensor(f, from)), transpose(R)));
-  else if constexpr (facts.frame == Frame::scalar_and_vector) {
+  else if constexpr (facts.frame == Frame::tensor) {
+    const Tensor3 A = load_tensor(f, from);
+    store_tensor(f, to, multiply(multiply(R, A), transpose(R)));
+  } else if constexpr (facts.frame == Frame::scalar_and_vector) {
     const Vector3 v = multiply(R, Vector3{f(from, 1), f(from, 2), f(from, 3)});
     f(to, 0) = f(from, 0), f(to, 1) = v.x, f(to, 2) = v.y, f(to, 3) = v.z;
   } else if constexpr (Field::rank == 1)

@@ -71,7 +71,6 @@ struct Particles {
     visit("inverse_support", p.inverse_support, Facts<history, when_made, after_drift, before_forces>());
     visit("volume", p.volume, Facts<history, after_drift, before_forces>());
     visit("impedance", p.impedance, Facts<history, after_drift, before_forces>());
-    visit("deformation_gradient", p.deformation_gradient, Facts<tensor, before_forces, with_initial_frame>());
     visit("pair_stress", p.pair_stress, Facts<tensor, pair, before_forces>());
     visit("artificial_stress", p.artificial_stress,
           Facts<symmetric, pair, before_forces, with_artificial_stress>());
@@ -82,6 +81,7 @@ struct Particles {
     visit("hourglass_displacement", p.hourglass_displacement,
           Facts<vector, history, before_forces, with_hourglass_stiffness, transported>());
     visit("hourglass_rate", p.hourglass_rate, Facts<vector, history, with_hourglass_stiffness>());
+    visit("deformation_gradient", p.deformation_gradient, Facts<tensor, before_forces, with_initial_frame>());
     visit("drift_velocity", p.drift_velocity, Facts<vector, with_xsph>());
     visit("heat", p.heat, Facts<with_conduction>());
     visit("damping", p.damping, Facts<history, with_sleep>());
