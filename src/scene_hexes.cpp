@@ -115,7 +115,7 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
   m.points.count = n;
   m.nodes = int(nodes.size());
   for_each_field(m, [&](const char* name, auto& field, auto facts) {
-    allocate(field, name, facts, deck, facts.place == Place::on_node ? m.nodes : n);
+    allocate(field, name, facts, deck, facts.per == Per::per_node ? m.nodes : n);
   });
   if (conducts_heat(deck)) {
     m.nodal_temperature = upload<ScalarField>(

@@ -41,7 +41,7 @@ enum class Method {
 };
 
 // Particles are elements, like hexes.
-enum class Place { on_element, on_node };
+enum class Per { per_element, per_node };
 
 // Whether a particle that is shifted takes the value at its new place.
 enum class Shift { stays, transported };
@@ -57,7 +57,7 @@ struct Facts {
   static constexpr Frame frame = fact_of<Frame, named...>();
   static constexpr Life life = fact_of<Life, named...>();
   static constexpr Method method = fact_of<Method, named...>();
-  static constexpr Place place = fact_of<Place, named...>();
+  static constexpr Per per = fact_of<Per, named...>();
   static constexpr bool transported = fact_of<Shift, named...>() == Shift::transported;
   static constexpr bool on_images = (std::is_same_v<decltype(named), Images> || ...);
   static constexpr bool on_images_at(Images when) {

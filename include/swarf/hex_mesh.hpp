@@ -44,7 +44,7 @@ struct HexMesh {
     using enum Frame;
     using enum Life;
     using enum Method;
-    using enum Place;
+    using enum Per;
     for_each_field(m.points, visit);
     visit("volume", m.volume, Facts<history>());
     visit("share", m.share, Facts<>());
@@ -55,22 +55,22 @@ struct HexMesh {
     visit("viscous_work", m.viscous_work, Facts<history>());
     visit("active", m.active, Facts<history>());
     visit("corner_heat", m.corner_heat, Facts<with_conduction>());
-    visit("position", m.position, Facts<on_node, point, history>());
-    visit("velocity", m.velocity, Facts<on_node, vector, history>());
-    visit("force", m.force, Facts<on_node, vector, history>());
-    visit("nodal_mass", m.mass, Facts<on_node>());
-    visit("heat_capacity", m.heat_capacity, Facts<on_node, with_conduction>());
-    visit("nodal_temperature", m.nodal_temperature, Facts<on_node, history, with_conduction>());
-    visit("nodal_heat", m.nodal_heat, Facts<on_node, with_conduction>());
-    visit("friction_force", m.friction_force, Facts<on_node, vector, history>());
-    visit("contact_force", m.contact_force, Facts<on_node, vector, history>());
-    visit("friction_work", m.friction_work, Facts<on_node, history>());
-    visit("external_work", m.external_work, Facts<on_node, history>());
-    visit("contact_energy", m.contact_energy, Facts<on_node, history>());
-    visit("contact_gap", m.contact_gap, Facts<on_node>());
-    visit("contact_area", m.contact_area, Facts<on_node>());
-    visit("constraints", m.constraints, Facts<on_node, history>());
-    visit("damping", m.damping, Facts<on_node, history, with_sleep>());
+    visit("position", m.position, Facts<per_node, point, history>());
+    visit("velocity", m.velocity, Facts<per_node, vector, history>());
+    visit("force", m.force, Facts<per_node, vector, history>());
+    visit("nodal_mass", m.mass, Facts<per_node>());
+    visit("heat_capacity", m.heat_capacity, Facts<per_node, with_conduction>());
+    visit("nodal_temperature", m.nodal_temperature, Facts<per_node, history, with_conduction>());
+    visit("nodal_heat", m.nodal_heat, Facts<per_node, with_conduction>());
+    visit("friction_force", m.friction_force, Facts<per_node, vector, history>());
+    visit("contact_force", m.contact_force, Facts<per_node, vector, history>());
+    visit("friction_work", m.friction_work, Facts<per_node, history>());
+    visit("external_work", m.external_work, Facts<per_node, history>());
+    visit("contact_energy", m.contact_energy, Facts<per_node, history>());
+    visit("contact_gap", m.contact_gap, Facts<per_node>());
+    visit("contact_area", m.contact_area, Facts<per_node>());
+    visit("constraints", m.constraints, Facts<per_node, history>());
+    visit("damping", m.damping, Facts<per_node, history, with_sleep>());
   }
 };
 
