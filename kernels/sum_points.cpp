@@ -30,6 +30,7 @@ PointSums sum_particles(const Particles& p, Real mass_factor, int begin, int end
     PointSums& s = retired ? apart : sums;
     s.viscous += p.viscous_work(i);
     s.hourglass += p.hourglass_work(i);
+    if (p.shifting_work.extent(0) > 0) s.shifting += p.shifting_work(i);
     add_point(s, p.points, i);
     if (i >= p.count && i < p.count + p.tied) return; // a tied particle's mass is its hex's
     add_motion(s, mass_factor * p.points.mass(i), load_vector(p.velocity, i));

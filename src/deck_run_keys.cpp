@@ -51,6 +51,10 @@ const Keys<ParticlesDeck>& particles_keys() {
       {"pressure_diffusion", &P::pressure_diffusion, D::none, Range{0, 1}, "0.0", always,
        "of pressures that alternate between neighbours, and of the density with them, share of wave "
        "speed * h (Antuono et al. 2010); 0: off"},
+      {"shifting", &P::shifting, D::none, any, "true", always,
+       "particles of material that flows are moved back into an even order, and take what the fields are "
+       "there; "
+       "nothing elastic moves. In the current frame only"},
       {"xsph", &P::xsph, D::none, share, "0.0", always,
        "share of the neighbours' velocity in the velocity that particles move with (Monaghan 1989); 0: off"},
       {"skin", &P::skin, D::none, Range{0, 1, true, false}, "0.1", always,

@@ -31,6 +31,7 @@ void for_each_column(const HistorySample& s, int teeth, Visitor&& visit) {
   visit("plastic_work", "J", s.plastic), visit("friction_work", "J", s.frictional);
   visit("viscous_work", "J", s.viscous), visit("hourglass_work", "J", s.hourglass);
   visit("contact_energy", "J", s.contact), visit("tie_work", "J", s.tie);
+  visit("shifting_work", "J", s.shifting);
   visit("external_work", "J", s.external), visit("energy_residual", "J", s.residual);
   visit("max_temperature", "K", s.max_temperature), visit("max_plastic_strain", "1", s.max_plastic_strain);
   visit("max_velocity", "m/s", s.max_velocity);

@@ -21,7 +21,7 @@ struct HistorySample {
   std::array<std::array<double, 3>, max_teeth> tooth_force{};
   // J, since the start
   double kinetic = 0, elastic = 0, plastic = 0, frictional = 0, viscous = 0, hourglass = 0, contact = 0,
-         tie = 0;
+         tie = 0, shifting = 0;
   double external = 0, residual = 0; // residual = (all of the above - initial) - external
   double max_temperature = 0, max_plastic_strain = 0, max_velocity = 0;
   double particles_in_contact = 0;

@@ -57,6 +57,8 @@ bool uses(const Deck& deck, Method method) {
     return initial;
   case Method::with_pressure_diffusion:
     return set.pressure_diffusion > 0;
+  case Method::with_shifting:
+    return set.shifting && !initial;
   case Method::with_sleep:
     return bool(deck.sleep.distance);
   case Method::with_summation:

@@ -28,6 +28,7 @@ void Simulation::step() {
   kick_half();
   move();
   timer.mark("integrate");
+  if (lists_due && deck.particles.shifting) shift();
   if (conversion_due) convert();
   if (rest_due) rest();
   if (lists_due) rebuild_lists();
@@ -60,6 +61,16 @@ void Simulation::move() {
   drift(particles, Real(step_size));
   drift(motion_of(model.hexes), Real(step_size));
   now += step_size; // the tool's pose is a function of time
+}
+
+// While the lists are those of particles where they are, and just before they are made anew: where particles
+// pass one another, both come as often.
+void Simulation::shift() {
+  if (model.particles.count == 0 || particle_method.initial_frame) return;
+  follow_hexes_and_images();
+  const Shifts shifts = find_shifts(model.particles, lists, model.image_planes, particle_method);
+  transport_fields(model.particles, lists, model.image_planes, model.materials, shifts, Real(mass_factor));
+  timer.mark("shifting");
 }
 
 void Simulation::rebuild_lists() {

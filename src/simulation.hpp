@@ -54,6 +54,7 @@ class Simulation {
  private:
   void kick_half();
   void move();
+  void shift(); // particles of flowing material back into an even order
   void rebuild_lists();
   void follow_hexes_and_images();
   void update_rates_and_stresses();

@@ -185,12 +185,12 @@ HistorySample Simulation::sample() {
   s.viscous = double(a.viscous) + b.viscous;
   s.hourglass = double(a.hourglass) + b.hourglass;
   s.contact = double(a.contact) + b.contact;
-  s.tie = lost_in_conversion;
+  s.tie = lost_in_conversion, s.shifting = double(a.shifting);
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
   tool_work += load.work;
   s.external = double(a.external) + b.external + tool_work;
   s.residual = s.kinetic + s.elastic + s.plastic + s.frictional + s.viscous + s.hourglass + s.contact +
-               s.tie - initial_energy - s.external;
+               s.tie + s.shifting - initial_energy - s.external;
   const double taken = std::max(1.0, double(steps - steps_at_sample));
   const double scale = deck.output.force_scale / taken;
   s.force = {scale * load.force.x, scale * load.force.y, scale * load.force.z};

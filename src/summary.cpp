@@ -95,7 +95,7 @@ Json energies_of(const ResultsFolder& folder) {
   Json energies;
   double total = 0;
   for (const char* name : {"kinetic_energy", "elastic_energy", "plastic_work", "friction_work",
-                           "viscous_work", "hourglass_work", "contact_energy", "tie_work"}) {
+                           "viscous_work", "hourglass_work", "contact_energy", "tie_work", "shifting_work"}) {
     energies.set(name, last(raw.at(name)));
     total += std::abs(last(raw.at(name)));
   }

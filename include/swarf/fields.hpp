@@ -25,7 +25,14 @@ enum class Life {
 };
 
 // When images take it from the row that they are images of. More than one may be named.
-enum class Images { when_made, after_drift, before_forces, in_diffuse_pressure, in_conduct_heat };
+enum class Images {
+  when_made,
+  after_drift,
+  before_forces,
+  in_diffuse_pressure,
+  in_conduct_heat,
+  in_find_shifts,
+};
 
 // What it is there for; without it, it has 0 rows.
 enum class Method {
@@ -35,6 +42,7 @@ enum class Method {
   with_hourglass_stiffness,
   with_initial_frame,
   with_pressure_diffusion,
+  with_shifting,
   with_sleep,
   with_summation,
   with_xsph,
@@ -43,8 +51,13 @@ enum class Method {
 // Particles are elements, like hexes.
 enum class Per { per_element, per_node };
 
-// Whether a particle that is shifted takes the value at its new place.
-enum class Shift { stays, transported };
+// Whether a particle that is shifted takes the value at its new place, and of what the sum over all is kept.
+enum class Shifting {
+  stays,
+  transported,
+  keeps_mass_sum, // sum of mass times the value
+  keeps_heat_sum, // sum of heat capacity times the value
+};
 
 template <class Kind, auto... named>
 constexpr Kind fact_of() {
@@ -58,7 +71,7 @@ struct Facts {
   static constexpr Life life = fact_of<Life, named...>();
   static constexpr Method method = fact_of<Method, named...>();
   static constexpr Per per = fact_of<Per, named...>();
-  static constexpr bool transported = fact_of<Shift, named...>() == Shift::transported;
+  static constexpr Shifting shifting = fact_of<Shifting, named...>();
   static constexpr bool on_images = (std::is_same_v<decltype(named), Images> || ...);
   static constexpr bool on_images_at(Images when) {
     return ((std::is_same_v<decltype(named), Images> && int(named) == int(when)) || ...);

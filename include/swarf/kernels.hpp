@@ -65,6 +65,18 @@ struct PressureDiffusion {
 void diffuse_pressure(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&,
                       const PressureDiffusion&);
 
+struct Shifts {             // slot pack_width k + lane is row first(cluster(k)) + lane
+  IndexField cluster;       // of the lists: those that have flowed
+  VectorField displacement; // m
+  VectorField corrected;    // m, K_i of it
+  VectorField normal;       // outward, of particles at a surface, else 0
+  int clusters() const { return int(cluster.extent(0)); }
+};
+Shifts find_shifts(const Particles&, const Neighbors&, const ImagePlanes&, const ParticleMethod&);
+void transport_fields(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&,
+                      const Shifts&,
+                      Real mass_factor); // and moves the particles
+
 // --- hexes
 void hex_velocity_gradient(const HexMesh&, const Status&); // B, volume, L at the centre
 void hex_forces(const HexMesh&, const MaterialTable&, const HexMethod&, Real dt); // corner forces
@@ -129,7 +141,7 @@ int count_points_inside(const ContactPoints&, const Tool&, const ToolPose&,
 
 struct PointSums {
   Real kinetic = 0, internal = 0, plastic = 0, external = 0, friction = 0, viscous = 0, hourglass = 0,
-       contact = 0;
+       contact = 0, shifting = 0;
   Vector3 momentum{0, 0, 0};
   Real max_temperature = 0, max_plastic_strain = 0, max_speed = 0;
   int hottest = -1;
@@ -137,6 +149,7 @@ struct PointSums {
   KOKKOS_INLINE_FUNCTION void add(const PointSums& o) {
     kinetic += o.kinetic, internal += o.internal, plastic += o.plastic, external += o.external;
     friction += o.friction, viscous += o.viscous, hourglass += o.hourglass, contact += o.contact;
+    shifting += o.shifting;
     momentum = momentum + o.momentum;
     if (o.max_temperature > max_temperature) max_temperature = o.max_temperature, hottest = o.hottest;
     max_plastic_strain = Kokkos::max(max_plastic_strain, o.max_plastic_strain);

@@ -58,15 +58,15 @@ struct MaterialPoints {
     using enum Frame;
     using enum Life;
     using enum Images;
-    using enum Shift;
+    using enum Shifting;
     visit("material", p.material, Facts<history>());
     visit("mass", p.mass, Facts<history>());
     visit("density", p.density, Facts<history, transported>());
     visit("velocity_gradient", p.velocity_gradient, Facts<symmetric, history, before_forces>());
     visit("stress", p.stress, Facts<symmetric, history, transported>());
-    visit("equivalent_plastic_strain", p.equivalent_plastic_strain, Facts<history, transported>());
+    visit("equivalent_plastic_strain", p.equivalent_plastic_strain, Facts<history, keeps_mass_sum>());
     visit("plastic_strain_rate", p.plastic_strain_rate, Facts<history>());
-    visit("temperature", p.temperature, Facts<history, transported>());
+    visit("temperature", p.temperature, Facts<history, keeps_heat_sum>());
     visit("damage", p.damage, Facts<history, transported>());
     visit("internal_work", p.internal_work, Facts<history>());
     visit("plastic_work", p.plastic_work, Facts<history>());

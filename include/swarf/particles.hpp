@@ -48,6 +48,9 @@ struct Particles {
   ScalarField friction_work;       // J
   ScalarField viscous_work;        // J
   ScalarField hourglass_work;      // J
+  VectorField surface_normal;      // outward, of particles at a surface, else 0 (shifting.hpp)
+  ScalarField shifted_strain;      // plastic strain of which the shifts have been made
+  ScalarField shifting_work;       // J, that the values of a shifted particle have lost
   ScalarField external_work;       // J, gravity and prescribed velocities
   ScalarField contact_energy;      // J, stored in the penalty spring
   ScalarField contact_gap;         // m, half the initial spacing: where the particle's own surface lies
@@ -63,10 +66,10 @@ struct Particles {
     using enum Life;
     using enum Images;
     using enum Method;
-    using enum Shift;
+    using enum Shifting;
     for_each_field(p.points, visit);
     visit("position", p.position, Facts<point, history, when_made, after_drift>());
-    visit("velocity", p.velocity, Facts<vector, history, after_drift, transported>());
+    visit("velocity", p.velocity, Facts<vector, history, after_drift, keeps_mass_sum>());
     visit("force", p.force, Facts<vector, history>());
     visit("inverse_support", p.inverse_support, Facts<history, when_made, after_drift, before_forces>());
     visit("volume", p.volume, Facts<history, after_drift, before_forces>());
@@ -85,6 +88,9 @@ struct Particles {
     visit("drift_velocity", p.drift_velocity, Facts<vector, with_xsph>());
     visit("heat", p.heat, Facts<with_conduction>());
     visit("damping", p.damping, Facts<history, with_sleep>());
+    visit("surface_normal", p.surface_normal, Facts<vector, history, in_find_shifts, with_shifting>());
+    visit("shifted_strain", p.shifted_strain, Facts<history, with_shifting>());
+    visit("shifting_work", p.shifting_work, Facts<history, with_shifting>());
     visit("reference_summation", p.reference_summation, Facts<history, with_summation>());
     visit("friction_force", p.friction_force, Facts<vector, history>());
     visit("contact_force", p.contact_force, Facts<vector, history>());
