@@ -138,7 +138,7 @@ TEST(Fields, NoTwoRowsShareANameAndEachFitsItsColumns) {
       EXPECT_TRUE(!directed || fits.at(facts.frame).contains(columns)) << name;
       EXPECT_TRUE(directed || (columns != 6 && columns != 9)) << name;
     }
-    EXPECT_TRUE(!facts.transported || facts.life == Life::history) << name;
+    EXPECT_TRUE(facts.shifting == Shifting::stays || facts.life == Life::history) << name;
   };
   const Particles particles;
   const HexMesh hexes;
@@ -216,7 +216,7 @@ void expect_images() {
 TEST(Fields, ImagesCarryWhatTheirRowsSay) {
   expect_images<Images::when_made>(), expect_images<Images::after_drift>();
   expect_images<Images::before_forces>(), expect_images<Images::in_diffuse_pressure>();
-  expect_images<Images::in_conduct_heat>();
+  expect_images<Images::in_conduct_heat>(), expect_images<Images::in_find_shifts>();
 }
 
 // Fields that a run does without get no rows from images.
