@@ -94,7 +94,8 @@ void report_phases(benchmark::State& state, const Simulation& simulation, const 
 
 // Launches a step, of what some steps leave out.
 void report_watch(benchmark::State& state, const Watch& watch, long steps) {
-  for (const char* label : {"diffuse_pressure", "conduct_heat", "find_neighbors"}) {
+  for (const char* label :
+       {"diffuse_pressure", "conduct_heat", "find_neighbors", "find_shifts", "transport_fields"}) {
     const auto found = watch.launches.find(label);
     if (found != watch.launches.end())
       state.counters["calls: " + found->first] = double(found->second) / double(steps);

@@ -20,7 +20,8 @@ def calls(results, size):
     of = step.get("calls", {})
     return [("velocity_gradient", 1), ("update_stress, 20 % plastic", 1), ("diffuse_pressure", of["diffuse_pressure"]),
             ("prepare_pair_state", 1), ("particle_forces, hourglass stiffness", 1), ("conduct_heat", of["conduct_heat"]),
-            ("integrate", 2), ("tool_contact", 1), ("sort_particles", rebuilds), ("find_neighbors", rebuilds)]
+            ("integrate", 2), ("tool_contact", 1), ("sort_particles", rebuilds), ("find_neighbors", rebuilds),
+            *((name, of[name]) for name in ("find_shifts", "transport_fields") if name in of)]
 
 
 def seconds(row, bytes_):
