@@ -24,7 +24,6 @@ struct Random {
   Vector3 vector(Real size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
 };
 
-// value(what is known of the row: its place) to each column of a field.
 template <class Field>
 constexpr int columns_of() {
   if constexpr (Field::rank == 1)
@@ -439,6 +438,7 @@ TEST(TransportFields, MovesWhatTheTableMarksAndNothingElse) {
               typename Field::value_type(std::is_integral_v<typename Field::value_type> ? 1 : random(1, 2));
         });
   });
+  set_field(p, p.points.stress, [&](const Vector3&, int) { return random(Real(1e6), Real(2e6)); });
   Kokkos::deep_copy(p.inverse_support, Real(0.5) / (Real(1.2) * unit));
   Kokkos::deep_copy(p.volume, unit * unit * unit);
   const std::vector<Vector3> d = displacements(b, n, -1, false);
