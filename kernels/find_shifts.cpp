@@ -1,8 +1,8 @@
 // d_i of shifting.hpp for the particles of each cluster that has flowed since it was shifted last, and n of
 // those at a surface: outward, against the normal force of the tool or down the gradient of the
-// concentration. Where neighbours are at a surface is known from the last shift. Reads position, volume,
-// inverse_support, equivalent_plastic_strain, shifted_strain, contact_force, friction_force, constraints,
-// surface_normal.
+// concentration. Where neighbours are at a surface is known from the last shift. Those of another material
+// are not counted: where two meet each has a surface. Reads position, volume, inverse_support,
+// equivalent_plastic_strain, shifted_strain, contact_force, friction_force, constraints, surface_normal.
 #include "cell_order.hpp"
 #include "copy_to_images.hpp"
 #include "correction.hpp"
@@ -47,15 +47,17 @@ KOKKOS_FORCEINLINE_FUNCTION Sums sum_neighbors(const Particles& p, const Neighbo
   Sums s{none, none, none, {zero, zero, zero, zero, zero, zero}};
   const auto x_i = lanes.load_vector(p.position);
   const Pack inverse_support_i = lanes.load(p.inverse_support);
+  const Pack material_i = make_pack([&](int lane) { return Real(p.points.material(lanes.row(lane))); });
   for_each_neighbor(n, cluster, [&](int j) {
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack inverse_h = mean_inverse_h(inverse_support_i, p.inverse_support(j));
+    const Pack same = select(material_i == Pack(Real(p.points.material(j))), Pack(Real(1)), zero);
     const Pack shape = kernel_shape(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h), f = shape * at_spacing;
-    const auto grad = pair_slope(p.volume(j), x_ij, inverse_h) * x_ij;
+    const auto grad = (same * pair_slope(p.volume(j), x_ij, inverse_h)) * x_ij;
     s.gradient = s.gradient + grad;
     s.pairing = s.pairing + ((f * f) * (f * f)) * grad;
-    s.surface =
-        s.surface + (inverse_h * inverse_h * inverse_h * shape) * broadcast_vector(p.surface_normal, j);
+    s.surface = s.surface +
+                (same * inverse_h * inverse_h * inverse_h * shape) * broadcast_vector(p.surface_normal, j);
     s.A.xx -= x_ij.x * grad.x, s.A.yy -= x_ij.y * grad.y, s.A.zz -= x_ij.z * grad.z;
     s.A.xy -= x_ij.x * grad.y, s.A.yz -= x_ij.y * grad.z, s.A.zx -= x_ij.z * grad.x;
   });

@@ -1,8 +1,10 @@
 // f = k (gap - d) n + f_t for every point nearer to the tool's surface than its gap; respond_to_contact gives
 // f_t and the energies. The slip is measured against the moving surface at the point itself, so that a point
-// that moves with the tool does not slip. Friction heat: dT = share W / (m c), m without mass scaling.
-// Reads position, velocity (half a step back), mass, gap, area, material; writes contact_force,
-// friction_force, contact_energy; adds to force, friction_work, temperature.
+// that moves with the tool does not slip. No friction is more than the shear that the material at the point
+// carries. Friction heat: dT = share W / (m c), m without mass scaling. Reads position, velocity (half a step
+// back), mass, gap, area, material; writes contact_force, friction_force, contact_energy; adds to force,
+// friction_work, temperature.
+#include "swarf/johnson_cook.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/signed_distance.hpp"
 
@@ -22,7 +24,7 @@ SWARF_FN void store_contact(const ContactPoints& points, int i, const ContactRes
 void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose& pose, const ContactLaw& law,
                   const MaterialTable& materials, Real mass_factor, Real dt) {
   const ToolFrame frame = make_frame(pose);
-  const bool heats = points.temperature.extent(0) > 0;
+  const bool heats = points.temperature.extent(0) > 0, flows = points.plastic_strain.extent(0) > 0;
   Kokkos::parallel_for(
       "tool_contact", UnevenRange(0, points.count), KOKKOS_LAMBDA(const int i) {
         if (points.area(i) == 0) return;
@@ -39,6 +41,9 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
         step.normal = direction_to_world(frame, at.normal);
         step.slip = dt * (load_vector(points.velocity, i) - surface_velocity(pose, x));
         step.friction_force = friction_force;
+        if (flows)
+          step.shear_strength = shear_strength(materials(points.material(i)), points.plastic_strain(i),
+                                               points.plastic_strain_rate(i), points.temperature(i));
         const Real stiffness = contact_stiffness(law, mass_factor * points.mass(i), dt);
         const ContactResponse response = respond_to_contact(step, law, stiffness, points.area(i));
 

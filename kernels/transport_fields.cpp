@@ -1,9 +1,10 @@
 // Moves the particles by d_i and gives each what the fields that the table marks as transported are there:
 //   f_i += sum_j V_j (f_j - f_i) grad W_ij . K_i d_i,
-// exact for linear fields on any set of neighbours, and never beyond what the nearest have. Other materials'
-// values do not count. Masses stay as they are, so that sum m f of what is kept (momentum, heat, plastic
+// exact for linear fields on any set of neighbours, and never beyond what the nearest have, all of one
+// material. Masses stay as they are, so that sum m f of what is kept (momentum, heat, plastic
 // strain) would change as far as sum m d is not zero: of a scalar, gains are scaled down to the losses, or
-// losses to the gains; of a vector, the sum is taken back in proportion to each change. The kinetic and
+// losses to the gains; of a vector, the sum is taken back in proportion to each change, in directions in
+// which images leave it as it is: mirrors and turned sectors do not keep the others. The kinetic and
 // elastic energy that goes is booked as shifting_work. Reads what find_shifts found; writes position,
 // surface_normal, shifted_strain, the transported fields, internal_work and shifting_work.
 #include "block_sum.hpp"
@@ -94,7 +95,6 @@ Values gather_values(const Particles& p, const Neighbors& n, const ImagePlanes& 
   Kokkos::parallel_for(
       "gather_values", Range(0, p.listed), KOKKOS_LAMBDA(int i) {
         for_each_transported(p, Gather{values, i});
-        values(i, columns) = Real(p.points.material(i));
       });
   const int first = n.image_first;
   const auto source = n.image_source;
@@ -103,7 +103,6 @@ Values gather_values(const Particles& p, const Neighbors& n, const ImagePlanes& 
     Kokkos::parallel_for(
         "turn_values", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
           for_each_transported(p, Turn{values, source(image), first + image, R});
-          values(first + image, columns) = values(source(image), columns);
         });
   }
   return values;
@@ -111,7 +110,7 @@ Values gather_values(const Particles& p, const Neighbors& n, const ImagePlanes& 
 
 // The values of a cluster, and of each the sum, the least and the largest difference of near neighbours.
 struct Transport {
-  Pack own[columns + 1], sum[columns], low[columns], high[columns];
+  Pack own[columns], sum[columns], low[columns], high[columns];
 };
 
 KOKKOS_FORCEINLINE_FUNCTION void sum_neighbors(Transport& t, const Particles& p, const Neighbors& n,
@@ -120,13 +119,14 @@ KOKKOS_FORCEINLINE_FUNCTION void sum_neighbors(Transport& t, const Particles& p,
   const Pack zero(Real(0)), one(Real(1)), near2(value_reach * value_reach);
   const auto x_i = lanes.load_vector(p.position);
   const Pack inverse_support_i = lanes.load(p.inverse_support);
-  for (int c = 0; c <= columns; ++c) t.own[c] = lanes.load(values, c);
+  const Pack material_i = make_pack([&](int lane) { return Real(p.points.material(lanes.row(lane))); });
+  for (int c = 0; c < columns; ++c) t.own[c] = lanes.load(values, c);
   for (int c = 0; c < columns; ++c) t.sum[c] = t.low[c] = t.high[c] = zero;
   for_each_neighbor(n, cluster, [&](int j) {
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack inverse_h = mean_inverse_h(inverse_support_i, p.inverse_support(j));
     const auto row = row_of(values, j);
-    const Pack same = select(t.own[columns] == Pack(row(columns)), one, zero);
+    const Pack same = select(material_i == Pack(Real(p.points.material(j))), one, zero);
     const Pack weight = same * (pair_slope(p.volume(j), x_ij, inverse_h) * dot(x_ij, corrected));
     const Pack near = select(dot(x_ij, x_ij) * (inverse_h * inverse_h) < near2, same, zero);
     for (int c = 0; c < columns; ++c) {
@@ -185,6 +185,19 @@ struct Weigh {
   }
 };
 
+struct KeepDirections { // of the sums of vectors
+  Balance& sums;
+  Tensor3 kept;
+  template <class Field, auto... named>
+  SWARF_FN void operator()(const Field&, int k, Facts<named...> facts) const {
+    if constexpr (facts.frame == Frame::vector) {
+      Real* more = sums.more + k;
+      const Vector3 v = multiply(kept, Vector3{more[0], more[1], more[2]});
+      more[0] = v.x, more[1] = v.y, more[2] = v.z;
+    }
+  }
+};
+
 struct Apply {
   const Balance& sums;
   const Changes& changes;
@@ -223,6 +236,23 @@ Balance balance_changes(const Particles& p, const Neighbors& n, const MaterialTa
       });
 }
 
+// Projects on the directions that no active plane turns or mirrors.
+Tensor3 kept_directions(const ImagePlanes& planes) {
+  Tensor3 kept = identity3();
+  for (const ImagePlane& plane : planes) {
+    const Tensor3 R = plane.to_image.R, back = transpose(R), I = identity3();
+    const Real trace = R.xx + R.yy + R.zz, turned = Real(3) - trace;
+    const bool mirror = determinant(R) < 0;
+    if (!plane.active || (!mirror && turned < Real(1e-6))) continue; // a shift
+    Tensor3 P; // half of 1 + R, or the axis times itself
+    for (int c = 0; c < 9; ++c)
+      (&P.xx)[c] = mirror ? Real(0.5) * ((&I.xx)[c] + (&R.xx)[c])
+                          : ((&R.xx)[c] + (&back.xx)[c] + (Real(1) - trace) * (&I.xx)[c]) / turned;
+    kept = multiply(kept, P);
+  }
+  return kept;
+}
+
 SWARF_FN Real stored_energy(const Particles& p, const Material& mat, int i) {
   return elastic_energy(mat, load_symmetric(p.points.stress, i), p.points.mass(i) / p.points.density(i));
 }
@@ -240,7 +270,8 @@ void transport_fields(const Particles& p, const Neighbors& n, const ImagePlanes&
   if (shifts.clusters() == 0) return;
   const Values values = gather_values(p, n, planes);
   const Changes changes = find_changes(p, n, values, shifts);
-  const Balance sums = balance_changes(p, n, materials, shifts, changes);
+  Balance sums = balance_changes(p, n, materials, shifts, changes);
+  for_each_transported(p, KeepDirections{sums, kept_directions(planes)});
   const MaterialPoints points = p.points;
   Kokkos::parallel_for(
       "shift_particles", Range(0, shifts.clusters() * pack_width), KOKKOS_LAMBDA(int slot) {

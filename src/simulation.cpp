@@ -12,15 +12,26 @@ Motion motion_of(const HexMesh& m) {
 }
 
 ContactPoints contact_points_of(const Particles& p) {
-  return {p.count,          p.position,      p.velocity,       p.points.mass,
-          p.contact_gap,    p.contact_area,  p.force,          p.friction_force,
-          p.contact_force,  p.friction_work, p.contact_energy, p.points.temperature,
-          p.points.material};
+  return {p.count,
+          p.position,
+          p.velocity,
+          p.points.mass,
+          p.contact_gap,
+          p.contact_area,
+          p.force,
+          p.friction_force,
+          p.contact_force,
+          p.friction_work,
+          p.contact_energy,
+          p.points.temperature,
+          p.points.material,
+          p.points.equivalent_plastic_strain,
+          p.points.plastic_strain_rate};
 }
 ContactPoints contact_points_of(const HexMesh& m) {
   return {m.nodes,          m.position,    m.velocity,       m.mass,          m.contact_gap,
           m.contact_area,   m.force,       m.friction_force, m.contact_force, m.friction_work,
-          m.contact_energy, ScalarField(), IndexField()};
+          m.contact_energy, ScalarField(), IndexField(),     ScalarField(),   ScalarField()};
 }
 
 void Simulation::step() {

@@ -1,6 +1,7 @@
 #include "support/box_tool.hpp"
 #include "support/materials.hpp"
 #include "support/points.hpp"
+#include "swarf/johnson_cook.hpp"
 #include "swarf/kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -266,6 +267,41 @@ TEST(ContactLaw, ShearLimitCapsFriction) {
   EXPECT_NEAR(respond_to_contact(step, law, 1000, 20).force.x, 500, 1e-9 * precision);
   law.shear_limit = 0;
   EXPECT_NEAR(respond_to_contact(step, law, 1000, 2).force.x, 500, 1e-9 * precision);
+}
+
+// von Mises: a material that flows at sigma_y in tension carries the shear sigma_y / sqrt 3, at its
+// temperature.
+TEST(ContactLaw, FrictionIsNoMoreThanTheMaterialCarries) {
+  const Material mat = test::ti64();
+  ContactLaw law;
+  law.friction = Real(0.5), law.shear_limit = Real(1e12);
+  const Real warm = Real(900), melt = mat.melt_temperature, strain = Real(0.2), area = Real(1e-12);
+  const Real yield =
+      (mat.A + mat.B * Kokkos::pow(strain, mat.n)) * (1 + mat.C * Kokkos::log(Real(1e4))) *
+      (1 - Kokkos::pow((warm - mat.reference_temperature) / (melt - mat.reference_temperature), mat.m));
+  ContactStep step{1, {0, 0, 1}, {-10, 0, 0}, {0, 0, 0}, shear_strength(mat, strain, Real(1e4), warm)};
+  const Real friction = respond_to_contact(step, law, 1000, area).force.x;
+  EXPECT_NEAR(friction / (yield / std::sqrt(Real(3)) * area), 1, test::round_off);
+  step.shear_strength = shear_strength(mat, strain, Real(1e4), melt);
+  EXPECT_EQ(respond_to_contact(step, law, 1000, area).force.x, 0);
+  step.shear_strength = shear_strength(test::elastic_solid(1, 1, 1), 0, 0, 300);
+  EXPECT_NEAR(respond_to_contact(step, law, 1000, 1).force.x, 500, 1e-9 * precision);
+}
+
+// The kernel asks the material of each point: a cold one holds by Coulomb's law, a molten one not at all.
+TEST(ToolContact, MoltenPointsDoNotRub) {
+  for (const bool molten : {false, true}) {
+    Slider s = make_slider(0.5);
+    const double dt = 1e-4;
+    rest_on_box(s, dt);
+    test::set_row(s.points.velocity, 0, {1, 0, 0});
+    s.points.plastic_strain = ScalarField("plastic_strain", 1);
+    s.points.plastic_strain_rate = ScalarField("plastic_strain_rate", 1);
+    s.points.temperature = ScalarField("temperature", 1), s.points.material = IndexField("material", 1);
+    Kokkos::deep_copy(s.points.temperature, molten ? test::ti64().melt_temperature : Real(298));
+    s.run(0.1, dt, at_rest);
+    EXPECT_NEAR(test::get_row(s.points.velocity, 0).x, molten ? 1 : 0.5, 1e-3);
+  }
 }
 
 TEST(ContactLaw, SlipIsOneVectorWhateverItsDirection) {

@@ -25,6 +25,7 @@ struct ContactStep {
   Vector3 normal;         // unit, from the tool to the point; not used when apart
   Vector3 slip;           // m, motion of the point relative to the tool surface in this step
   Vector3 friction_force; // N on the point, at the end of the step before
+  Real shear_strength = Kokkos::Experimental::infinity_v<Real>; // Pa, of the material at the point
 };
 
 struct ContactResponse {
@@ -41,16 +42,19 @@ SWARF_FN Vector3 turn_into_plane(const Vector3& f, const Vector3& normal) {
   return length > Real(0) ? (norm(f) / length) * tangential : Vector3{0, 0, 0};
 }
 
-// f_n = k delta. Trial f* = f_old - k u_t; slip if |f*| > min(mu f_n, tau_max area): f = f_max f* / |f*|.
-// Dissipated: 1/2 (f_old + f) . (f* - f) / k, which is the work of the friction force by the trapezoidal rule
-// (the one that leapfrog makes exact) less the change of the spring's energy |f|^2 / 2k. Parting is the case
-// f_max = 0. Elastic predictor and slip corrector: Wriggers, Computational Contact Mechanics (2006), ch. 5.
+// f_n = k delta. Trial f* = f_old - k u_t; slip if |f*| > min(mu f_n, tau_max area), tau_max the least of the
+// deck's limit and of what the material carries: f = f_max f* / |f*|. Dissipated: 1/2 (f_old + f) . (f* - f)
+// / k, which is the work of the friction force by the trapezoidal rule (the one that leapfrog makes exact)
+// less the change of the spring's energy |f|^2 / 2k. Parting is the case f_max = 0. Elastic predictor and
+// slip corrector: Wriggers, Computational Contact Mechanics (2006), ch. 5.
 SWARF_FN ContactResponse respond_to_contact(const ContactStep& step, const ContactLaw& law, Real stiffness,
                                             Real area) {
   const bool touching = step.penetration > Real(0);
   const Real normal_force = touching ? stiffness * step.penetration : Real(0);
   Real limit = law.friction * normal_force;
-  if (law.shear_limit > Real(0)) limit = Kokkos::fmin(limit, law.shear_limit * area);
+  Real shear = step.shear_strength;
+  if (law.shear_limit > Real(0)) shear = Kokkos::fmin(shear, law.shear_limit);
+  if (shear < Kokkos::Experimental::infinity_v<Real>) limit = Kokkos::fmin(limit, shear * area);
 
   Vector3 old = step.friction_force, slip = step.slip;
   if (touching) {

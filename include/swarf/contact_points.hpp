@@ -16,6 +16,7 @@ struct ContactPoints {
   ScalarField contact_energy;     // written: stored in normal and tangential springs, J
   ScalarField temperature;        // added to where it has rows: friction heat
   IndexField material;
+  ScalarField plastic_strain, plastic_strain_rate; // 1, 1/s; read where there are rows
 };
 
 } // namespace swarf

@@ -46,6 +46,13 @@ SWARF_FN Real flow_stress(const Material& mat, Real plastic_strain, Real rate, R
   return flow_stress(mat, plastic_strain, rate, Real(1), thermal_softening(mat, temperature)).value;
 }
 
+// Shear stress at which the material flows by von Mises' criterion: no friction is larger. Infinite where it
+// never flows.
+SWARF_FN Real shear_strength(const Material& mat, Real plastic_strain, Real rate, Real temperature) {
+  if (mat.law == FlowLaw::elastic) return Kokkos::Experimental::infinity_v<Real>;
+  return flow_stress(mat, plastic_strain, rate, temperature) * Real(0.57735026918962576451); // 1 / sqrt(3)
+}
+
 // Johnson & Cook (1985): (D1 + D2 exp(D3 s)) (1 + D4 ln rate*) (1 + D5 T*), s = mean stress (tension > 0) /
 // von Mises stress. Not positive: the point breaks at once.
 SWARF_FN Real fracture_strain(const Material& mat, Real triaxiality, Real rate, Real temperature) {

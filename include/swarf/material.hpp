@@ -59,7 +59,7 @@ struct MaterialPoints {
     using enum Life;
     using enum Images;
     using enum Shifting;
-    visit("material", p.material, Facts<history>());
+    visit("material", p.material, Facts<history, in_find_shifts>());
     visit("mass", p.mass, Facts<history>());
     visit("density", p.density, Facts<history, transported>());
     visit("velocity_gradient", p.velocity_gradient, Facts<symmetric, history, before_forces>());
