@@ -53,9 +53,9 @@ struct Late {
 const std::string pairs = "layers across the pull move together in pairs, and it parts: tension drives them, "
                           "only a stiffness holds them, and where it flows slowly they form sooner than they "
                           "can be shifted apart";
-const std::string starved =
-    "the row at the free surface of the neck is drawn out and gains no particle from below: a notch, and it "
-    "parts";
+const std::string notch =
+    "a notch opens at the free surface of the neck, where particles have drawn apart along it, and "
+    "it parts; why is not known";
 const std::string law = "exact: J2, plane strain, logarithmic strain";
 
 void report_strip(const Pull& pull, const std::string& fill, bool shifting, const Pulled& p, const Late& late,
@@ -103,6 +103,6 @@ TEST(PlasticStrip, Necks) {
   const Pulled hexes = run(pull, "hexes", true);
   const Late late{hexes.late, "hexes of the same size, this program", 0.06};
   report_strip(pull, "hexes", true, hexes, late, {});
-  report_strip(pull, "particles", true, run(pull, "particles", true), late, {starved, starved, ""});
+  report_strip(pull, "particles", true, run(pull, "particles", true), late, {notch, notch, ""});
   report_strip(pull, "particles", false, run(pull, "particles", false), late, {pairs, pairs, pairs});
 }
