@@ -69,6 +69,9 @@ DEFAULTS = """
 - `particles.pressure_diffusion` = 0; 0.003 in the decks that cut: it lessens the noise of the pressure there. Without
   an artificial stress or a stiffness it feeds what alternates in the plate, and it takes its share of the work under
   a mass factor.
+- `particles.shifting` = true: of the plastic strain of a layer sheared to 10 from disorder {unshifted_strain} is missing
+  without, {shifted_strain} with it; neighbours in the chip are {unshifted_nearest} and {shifted_nearest} spacings apart.
+  A strip of metal that is pulled slowly still parts: pairs form sooner than its flow lets them be shifted.
 - `particles.xsph` = 0: it delays pairing as the artificial stress does, and loses track of {xsph} of the energy of a
   cut.
 - `particles.kernel_frame` = "current": "initial" is best in everything that it can do, but cannot follow a chip.
@@ -148,6 +151,10 @@ def defaults(matrix):
             xsph=percent("defaults_xsph", "cut", "energy_residual"), courant=number(courant),
             stiffer=number(value("defaults_stiffer", "courant", "courant")),
             noise=number(value("defaults", "cut", "pressure_noise")),
+            unshifted_strain=percent("cutting_unshifted", "shear_metal", "strain_missing"),
+            shifted_strain=percent("cutting", "shear_metal", "strain_missing"),
+            unshifted_nearest=number(value("cutting_unshifted", "voids", "nearest")),
+            shifted_nearest=number(value("cutting", "voids", "nearest")),
             soft_noise=number(value("defaults_soft", "cut", "pressure_noise")),
             stiffer_noise=number(value("defaults_stiffer", "cut", "pressure_noise")))
     except (KeyError, TypeError):
@@ -222,11 +229,13 @@ def changes(matrix):
 
 PAIRS = [
     ("corrected", "plain"), ("artificial_stress", "corrected"), ("pressure_diffusion", "corrected"),
-    ("hourglass_viscosity", "corrected"), ("hourglass_stiffness", "corrected"), ("xsph", "corrected"),
+    ("hourglass_viscosity", "corrected"), ("hourglass_stiffness", "corrected"),
+    ("shifting", "corrected"), ("xsph", "corrected"),
     ("reconstructed", "corrected"), ("defaults_soft", "reconstructed"), ("defaults_artificial_stress", "defaults"),
     ("defaults_pressure_diffusion", "defaults"), ("defaults", "defaults_soft"),
     ("defaults_stiffer", "defaults"), ("defaults_xsph", "defaults"), ("cutting", "defaults"),
-    ("cutting", "cutting_artificial_stress"), ("total_lagrangian_viscous", "total_lagrangian"),
+    ("cutting", "cutting_artificial_stress"), ("cutting", "cutting_unshifted"),
+    ("total_lagrangian_viscous", "total_lagrangian"),
     ("total_lagrangian_stiff", "total_lagrangian_viscous"), ("total_lagrangian_viscous", "defaults"),
     ("hexes_viscous", "hexes_stiffness"), ("hexes_stiffness_deleted", "hexes_stiffness"),
     ("hexes_viscous_deleted", "hexes_viscous")]

@@ -56,8 +56,11 @@ Outcome scale_scene(const Formulation&);
 Outcome raise_courant(const Formulation&);
 Outcome raise_mass(const Formulation&);
 Outcome raise_viscosity(const Formulation&);
+Outcome pull_metal(const Formulation&);
+Outcome shear_metal(const Formulation&);
 Outcome cut(const Formulation&);
 Outcome cut_fast(const Formulation&);
+Outcome fill_chip(const Formulation&);
 
 bool applies(const Formulation&, const Test&);
 // The limit that decides, or nullptr if the run ended before its time; and the class.

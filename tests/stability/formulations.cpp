@@ -13,6 +13,7 @@ void plain(Deck& deck) {
   deck.particles.correction = deck.particles.correct_forces = false;
   deck.particles.viscosity_form = "monaghan";
   deck.particles.hourglass_viscosity = deck.particles.hourglass_stiffness = 0;
+  deck.particles.shifting = false;
 }
 
 void corrected(Deck& deck) {
@@ -70,6 +71,7 @@ std::vector<Formulation> make() {
       changed("hourglass_viscosity", "corrected + hourglass viscosity 0.3", corrected, hourglass_viscosity),
       changed("hourglass_stiffness", "corrected + hourglass stiffness 0.3", corrected,
               hourglass_stiffness(0.3)),
+      changed("shifting", "corrected + shifting", corrected, [](ParticlesDeck& p) { p.shifting = true; }),
       changed("xsph", "corrected + XSPH 0.5", corrected, xsph),
       changed("reconstructed", "corrected + reconstructed viscosity", corrected, reconstructed),
       changed("defaults", "shipped defaults", defaults, none),
@@ -80,6 +82,8 @@ std::vector<Formulation> make() {
       changed("defaults_stiffer", "defaults, hourglass stiffness 2", defaults, hourglass_stiffness(2)),
       changed("defaults_xsph", "defaults + XSPH 0.5", defaults, xsph),
       changed("cutting", "as the cutting decks", cutting, none),
+      changed("cutting_unshifted", "as the cutting decks, without shifting", cutting,
+              [](ParticlesDeck& p) { p.shifting = false; }),
       changed("cutting_artificial_stress", "as the cutting decks, artificial stress 0.3 for the stiffness",
               cutting, [](ParticlesDeck& p) { p.artificial_stress = 0.3, p.hourglass_stiffness = 0; }),
       total_lagrangian("total_lagrangian", "total Lagrangian", 0, 0),

@@ -61,6 +61,17 @@ const std::vector<Test>& tests() {
        "Particles: as under the mass factor; reconstructed, it acts where the velocity is not linear only. "
        "The stable step takes the viscosity into account: Courant numbers mean as much with it as without.",
        Kind::plastic, false, raise_viscosity},
+      {"pull_metal", "plastic tension",
+       "a strip of metal that hardens enough to stretch evenly, pulled by 50 %, 24 x 8 cells",
+       "Pairing, as in the elastic strip: shifting delays it, the more the faster it flows.", Kind::plastic,
+       false, pull_metal},
+      {"shear_metal", "shear to 10",
+       "a layer between two plates sheared by ten times its height, linear hardening, from a lattice a fifth "
+       "of "
+       "a spacing out of order",
+       "Rows that pass one another out of order gather in strings, which slide without any strain that the "
+       "gradient sees.",
+       Kind::plastic, false, shear_metal},
       {"cut", "large shear: cut", "orthogonal cutting, 30 m/min, 40 um deep, cells of 10 um, 150 um of cut",
        "Particles: pressures alternate from neighbour to neighbour; the forces do not notice. Hexes: where "
        "none is "
@@ -68,6 +79,11 @@ const std::vector<Test>& tests() {
        Kind::cut, false, stability::cut},
       {"cut_fast", "cut, ten times as fast", "the same at 300 m/min, under the same mass factor",
        "As at the lower speed.", Kind::cut, false, cut_fast},
+      {"voids", "chip's voids",
+       "the cut at 30 m/min with six cells of 6.7 um across, 120 um of it; where the plastic strain is more "
+       "than "
+       "0.3, worst of the last quarter",
+       "As in the sheared layer.", Kind::cut, true, fill_chip},
   };
   return all;
 }
