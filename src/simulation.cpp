@@ -39,7 +39,7 @@ void Simulation::step() {
   kick_half();
   move();
   timer.mark("integrate");
-  if (lists_due && deck.particles.shifting) shift();
+  if (shift_is_due()) shift();
   if (conversion_due) convert();
   if (rest_due) rest();
   if (lists_due) rebuild_lists();
@@ -74,13 +74,21 @@ void Simulation::move() {
   now += step_size; // the tool's pose is a function of time
 }
 
-// While the lists are those of particles where they are, and just before they are made anew: where particles
-// pass one another, both come as often.
+// Whenever the tool, or what moves in its place, has gone a sixteenth of a spacing: no time step enters.
+bool Simulation::shift_is_due() {
+  if (!shifts()) return false;
+  way_since_shift += shift_speed * step_size;
+  if (way_since_shift < shift_way()) return false;
+  way_since_shift = 0;
+  return true;
+}
+
+// With the lists of where particles were; they are made anew at once, so that no look ahead counts shifts.
 void Simulation::shift() {
-  if (model.particles.count == 0 || particle_method.initial_frame) return;
   follow_hexes_and_images();
-  const Shifts shifts = find_shifts(model.particles, lists, model.image_planes, particle_method);
-  transport_fields(model.particles, lists, model.image_planes, model.materials, shifts, Real(mass_factor));
+  const Shifts found = find_shifts(model.particles, lists, model.image_planes, particle_method);
+  transport_fields(model.particles, lists, model.image_planes, model.materials, found, Real(mass_factor));
+  lists_due = lists_due || found.clusters() > 0;
   timer.mark("shifting");
 }
 

@@ -54,6 +54,7 @@ class Simulation {
  private:
   void kick_half();
   void move();
+  bool shift_is_due();
   void shift(); // particles of flowing material back into an even order
   void rebuild_lists();
   void follow_hexes_and_images();
@@ -72,6 +73,10 @@ class Simulation {
   void fall_asleep();
   void plan_rest(double speed);
   void fade_waves(); // where sleep begins
+  bool shifts() const {
+    return deck.particles.shifting && model.particles.count > 0 && !particle_method.initial_frame;
+  }
+  double shift_way() const { return model.spacing / 16; } // m, of the tool between two shifts
   StableStep limit_step();
   void check_status();                           // throws SimulationFault
   void check_energy(const HistorySample&) const; // throws SimulationFault
@@ -102,8 +107,9 @@ class Simulation {
   PointSums of_asleep;              // of the particles: does not change until others sleep
   bool others_sleep = true;
   bool lists_due = false, rest_due = false;
-  double rested_at = 0;       // s
-  VectorField first_position; // of each particle's identity; 0 rows where nothing retires
+  double rested_at = 0;                        // s
+  VectorField first_position;                  // of each particle's identity; 0 rows where nothing retires
+  double shift_speed = 0, way_since_shift = 0; // m/s, of the tool, faces or bodies; m
   bool conversion_due = false;
   double looked_at = 0;          // s, for hexes to convert
   double lost_in_conversion = 0; // J, of motion that particles do not have, and of the contact's springs

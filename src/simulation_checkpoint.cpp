@@ -44,6 +44,7 @@ void Simulation::write_state(CheckpointWriter& out) const {
       out.put("rebuild_count", rebuild_count);
   out.put("particle_step", particle_step), out.put("pressure_time", pressure_time);
   out.put("heat_step", heat_step), out.put("heat_time", heat_time);
+  out.put("shift_speed", shift_speed), out.put("way_since_shift", way_since_shift);
   out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
   out.put("status", value_of(status)), out.put("hex_status", value_of(hex_status));
   out.put("initial_energy", initial_energy), out.put("tool_work", tool_work);
@@ -102,6 +103,7 @@ void Simulation::read_state(const CheckpointReader& in) {
   in.get("next_check", next_check), in.get("rebuild_count", rebuild_count);
   in.get("particle_step", particle_step), in.get("pressure_time", pressure_time);
   in.get("heat_step", heat_step), in.get("heat_time", heat_time);
+  in.get("shift_speed", shift_speed), in.get("way_since_shift", way_since_shift);
   in.get("steps_at_sample", steps_at_sample), in.get("reference_step", contact_law.reference_step);
   first_step = steps;
   int due = 0;

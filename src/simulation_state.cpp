@@ -58,6 +58,12 @@ std::vector<double> driving_speeds_of(const Deck& deck, const Scene& scene) {
   return speeds;
 }
 
+double fastest_body(const Deck& deck) {
+  double fastest = 0;
+  for (const BodyDeck& body : deck.bodies) fastest = std::max(fastest, length(body.velocity));
+  return fastest;
+}
+
 // Of all that is meant to move, bodies at their first velocity among it.
 double slowest_of(const Deck& deck, std::vector<double> speeds) {
   for (const BodyDeck& body : deck.bodies) speeds.push_back(length(body.velocity));
@@ -79,6 +85,7 @@ Simulation::Simulation(const Deck& from)
   }
   const std::vector<double> drives = driving_speeds_of(deck, model);
   driving_speed = drives.empty() ? 0 : *std::max_element(drives.begin(), drives.end());
+  shift_speed = std::max(driving_speed, fastest_body(deck));
   slowest_drive = slowest_of(deck, drives);
   elastic_scale = elastic_scale_of(model.particles.points, model.materials) +
                   elastic_scale_of(model.hexes.points, model.materials);
@@ -161,6 +168,7 @@ void Simulation::check() {
   of_particles.add(of_asleep);
   of_hexes = sum_hexes(model.hexes, Real(mass_factor));
   const double speed = double(std::max(of_particles.max_speed, of_hexes.max_speed));
+  if (driving_speed == 0 && fastest_body(deck) == 0) shift_speed = speed;
   // Twice the present speed, or the tool's, is allowed for until the next look.
   const double reach = 2 * std::max(speed, driving_speed) * step_size;
   const double whole = 0.5 * double(lists.skin);

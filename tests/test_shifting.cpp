@@ -106,7 +106,7 @@ TEST(Shifting, UnderTheToolMovesAlongItOnly) {
   Random random;
   for (int k = 0; k < 500; ++k) {
     const Vector3 pressed = random.vector(3);
-    const ShiftSums sums{random.vector(Real(0.6) / spacing), random.vector(Real(1) / spacing), inside,
+    const ShiftSums sums{random.vector(Real(0.14) / spacing), random.vector(Real(1) / spacing), inside,
                          random.vector(1)};
     const ShiftPoint free{h, spacing, 1, {0, 0, 0}}, held{h, spacing, 1, pressed};
     const Shift s = shift_of(sums, held);
@@ -116,6 +116,25 @@ TEST(Shifting, UnderTheToolMovesAlongItOnly) {
     EXPECT_GT(norm(s.displacement), 1e-6 * spacing);
     EXPECT_EQ(norm(shift_of(sums, free).normal), 0);
   }
+}
+
+// Where a free surface meets the tool: the gradient along the tool is that of an outer row.
+TEST(Shifting, DoesNotLeaveASurfaceAlongTheTool) {
+  const Vector3 n{0, 0, 1}, pressed{0, 0, -3};
+  for (const Real steep : {Real(0.2), Real(0.47), Real(1)})
+    for (const Real lean : {Real(-1), Real(0), Real(1)}) { // of the pairing, along and against
+      const ShiftSums sums{{-steep / spacing, 0, Real(-0.5) / spacing},
+                           {lean * 5 / spacing, Real(1) / spacing, 0},
+                           inside,
+                           {0, 0, 0}};
+      const Vector3 d = shift_of(sums, {h, spacing, 1, pressed}).displacement;
+      EXPECT_LE(d.x, tolerance * spacing); // outwards is +x
+      EXPECT_NEAR(dot(d, n), 0, tolerance * spacing);
+      EXPECT_LT(d.y, 0);
+      if (lean > 0) {
+        EXPECT_LT(d.x, 0);
+      }
+    }
 }
 
 // 0 where nothing tells where to go: no neighbours at all.

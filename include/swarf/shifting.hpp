@@ -18,7 +18,7 @@ inline constexpr Real surface_openness =
     Real(0.72); // n.A n in the outer row of a lattice is 0.5, in the next 0.94
 inline constexpr Real surface_gradient = Real(0.29); // of the concentration, over 1/spacing: three fifths of
                                                      // that in the outer row; a row with less has come off
-inline constexpr Real surface_seen = Real(0.03); // |sum V W n| from which on a surface is near
+inline constexpr Real surface_seen = Real(0.03);     // |sum V W n| from which on a surface is near
 
 // Sums over the neighbours of one particle.
 struct ShiftSums {
@@ -50,6 +50,11 @@ SWARF_FN Shift shift_of(const ShiftSums& s, const ShiftPoint& at) {
   if (pressed > 0) {
     normal = (Real(-1) / pressed) * at.pressed;
     d = d - dot(d, normal) * normal;
+    const Vector3 side =
+        s.gradient - dot(s.gradient, normal) * normal; // steep where a free surface meets the tool
+    const Real along = norm(side);
+    if (along * at.spacing > Real(0.5) * surface_gradient)
+      d = d - (Kokkos::min(Real(0), dot(d, side)) / (along * along)) * side;
   } else if (dot(out, multiply(s.A, out)) < surface_openness) {
     normal = out;
     const Real outward = dot(d, out);
