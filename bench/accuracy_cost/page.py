@@ -68,7 +68,7 @@ def table(rows, found):
                f"{errors} | {forces} | {_number(ratio)} | {advise.percent(row.get('energy_residual'))} | {said} |")
 
 
-SHARED = ("mass 1e2", "mass 1e3", "courant 0.3", "viscosity 0", "slice 6 dx", "slice 12 dx", "work 400 um",
+SHARED = ("mass 1e2", "mass 1e3", "courant 0.5", "viscosity 0", "slice 6 dx", "slice 12 dx", "work 400 um",
           "sector from -4 deg", "cut 195 um", "band 80 um", "band +6 rows")
 
 

@@ -71,7 +71,7 @@ MEAN_OF = {"spacing": "mean of three", "together": "together, mean of three",
 
 # Each was stable alone; together they ask most of the stable step, which counts the viscosities and the hourglass
 # stiffness, but not what the corrected gradient of a strained chip adds.
-AT_LIMIT = (("courant 0.7", "h/dx 1.0"), ("courant 0.7", "viscosity 1", "hourglass 1"))
+AT_LIMIT = (("courant 0.9", "h/dx 1.0"), ("courant 0.9", "viscosity 1", "hourglass 1"))
 
 
 def thicknesses(point, group):
@@ -114,9 +114,12 @@ METHOD = [
     ("hourglass stiffness", "artificial stress 0.3 instead",
      setter("particles", hourglass_stiffness=0.0, artificial_stress=0.3), ALWAYS),
     ("diffusion", "no pressure diffusion", setter("particles", pressure_diffusion=0.0), ALWAYS),
-    ("courant", "courant 0.3", setter("run", courant=0.3), ORTHOGONAL),
-    ("courant", "courant 0.7", setter("run", courant=0.7), ALWAYS),
-    ("contact", "contact stiffness 0.03", setter("contact", stiffness=0.03), FULL),
+    ("diffusion", "pressure diffusion 0.003", setter("particles", pressure_diffusion=0.003), ALWAYS),
+    ("shifting", "no shifting", setter("particles", shifting=False), ALWAYS),
+    ("courant", "courant 0.5", setter("run", courant=0.5), ALWAYS),
+    ("courant", "courant 0.9", setter("run", courant=0.9), ALWAYS),
+    ("contact", "contact stiffness 0.1", setter("contact", stiffness=0.1), ALWAYS),
+    ("contact", "contact stiffness 1", setter("contact", stiffness=1.0), ALWAYS),
 ]
 
 

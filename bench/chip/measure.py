@@ -1,0 +1,105 @@
+"""Runs the orthogonal cut over the spacing, with shifting and without, and writes docs/chip.md."""
+import argparse
+import concurrent.futures
+import json
+import pathlib
+import subprocess
+import sys
+
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "bench" / "accuracy_cost"))
+import decks  # noqa: E402
+import measure as forces  # noqa: E402
+import order  # noqa: E402
+import vtu  # noqa: E402
+from scenes import SCENES  # noqa: E402
+
+SCENE = SCENES["orthogonal"]
+RUNS = ROOT / "results" / "chip"
+CUT = 0.5e-3  # s: 250 um of cut; the second half counts
+OFFSETS = (0, 1 / 3, -1 / 3)  # spacings by which the edge meets the rows deeper
+
+
+def deck_of(spacing, offset, shifting):
+    deck = decks.read(ROOT / SCENE.deck_file)
+    SCENE.set_cut(deck, CUT)
+    SCENE.set_spacing(deck, spacing)
+    SCENE.thicken(deck, offset * spacing * 1e-6)
+    deck["particles"]["shifting"] = shifting
+    deck["title"] = f"chip at {spacing:g} um"
+    return deck
+
+
+def run(job):
+    spacing, offset, shifting = job
+    folder = RUNS / f"{spacing:.4g}um_{offset:+.2f}_{'shifting' if shifting else 'without'}"
+    deck = deck_of(*job)
+    if not (folder / "summary.json").exists():
+        RUNS.mkdir(parents=True, exist_ok=True)
+        file = folder.with_suffix(".toml")
+        file.write_text(decks.text(deck))
+        subprocess.run([ROOT / "build/release/swarf", "run", file, "-o", folder, "--threads", "1", "--no-pictures"],
+                       stdout=subprocess.DEVNULL, check=False)
+    return {**measured(deck, folder, spacing), "spacing": spacing, "shifting": shifting}
+
+
+def measured(deck, folder, spacing):
+    summary = json.loads((folder / "summary.json").read_text())
+    if summary["ended"] != "complete":
+        return {"ended": summary["ended"]}
+    table, energies = forces.history(folder), summary["energies"]
+    begin, end = CUT / 2, table["time"][-1]
+    frame = vtu.read(sorted((folder / "frames").glob("*_particles.vtu"))[-1])
+    A = decks.si(next(iter(deck["material"].values()))["A"])
+    row = order.measure(frame, spacing * 1e-6, SCENE.width(deck), A)
+    share = 40e-6 / SCENE.uncut(deck, 0)  # the force of a cut is nearly in proportion to its thickness
+    for name, values in zip(("Fc", "Ff"), forces.cutting_forces(deck, table)):
+        row[name] = share * forces.mean_and_error(table["time"], values, begin, end, False)[0]
+    for name, key in (("stabilisers", "hourglass_work"), ("shifting_work", "shifting_work")):
+        row[name] = energies[key] / energies["external_work"]
+    row["residual"], row["seconds"] = energies["worst_residual_over_external"], summary["cost"]["cpu_seconds"]
+    return row
+
+
+COLUMNS = (("nearest", "nearest neighbour, 5 %", "{:.2f}", 1), ("dense", "sum V W, 95 %", "{:.2f}", 1),
+           ("voids", "voids, %", "{:.1f}", 100), ("noise", "pressure noise / A", "{:.2f}", 1),
+           ("stabilisers", "stabilisers' work, %", "{:.1f}", 100), ("shifting_work", "shifting's, %", "{:.3f}", 100),
+           ("residual", "energy residual, %", "{:.2f}", 100), ("seconds", "core-seconds", "{:.0f}", 1))
+
+
+def line(rows):
+    cells = [f"{rows[0]['spacing']:.3g}", "yes" if rows[0]["shifting"] else "no"]
+    for name in ("Fc", "Ff"):
+        values = [one[name] for one in rows]
+        cells.append(f"{numpy.mean(values):.1f} +- {numpy.std(values, ddof=1) / len(values) ** 0.5:.1f}"
+                     if len(values) > 1 else f"{values[0]:.1f}")
+    return cells + [form.format(by * numpy.mean([one[name] for one in rows])) for name, _, form, by in COLUMNS]
+
+
+def page(rows):
+    head = ["spacing, um", "shifting", "F_c, N", "F_f, N"] + [title for _, title, _, _ in COLUMNS]
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    for key in sorted({(one["shifting"], one["spacing"]) for one in rows}, key=lambda k: (not k[0], -k[1])):
+        same = [one for one in rows if (one["shifting"], one["spacing"]) == key and "Fc" in one]
+        if same:
+            lines.append("| " + " | ".join(line(same)) + " |")
+    lines += [f"\nDid not end: {one['spacing']:g} um, {one['ended']}" for one in rows if "Fc" not in one]
+    text = (ROOT / "bench/chip/page.md").read_text().replace("TABLE", "\n".join(lines))
+    (ROOT / "docs/chip.md").write_text(text)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--spacings", type=float, nargs="+", default=[10, 8, 80 / 12, 5, 4])
+    options = parser.parse_args()
+    jobs = [(spacing, offset, shifting) for spacing in options.spacings for shifting in (True, False)
+            for offset in OFFSETS]
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        page(list(pool.map(run, jobs)))
+
+
+if __name__ == "__main__":
+    main()
