@@ -80,7 +80,7 @@ struct ToolDeck {
 struct ContactDeck {
   double friction = 0;
   std::optional<double> shear_limit; // Pa
-  double stiffness = 0.5;            // penalty / (scaled mass / dt^2)
+  double stiffness = 0.1;            // penalty / (scaled mass / dt^2)
   double heat_to_workpiece = 0.5;    // share of the friction work that heats the particle
   bool operator==(const ContactDeck&) const = default;
 };
