@@ -21,8 +21,10 @@ constexpr int pieces = 18; // particles of the loose piece
 constexpr double v = 1.2;  // m/s, its speed
 
 // The small cut with a loose piece that flies away from the bore, or back to it.
-std::string deck_with_chip(double x, double velocity, const std::string& sections) {
+std::string deck_with_chip(double x, double velocity, const std::string& sections,
+                           const std::string& method = "") {
   Edits edits;
+  edits.push_back({"[particles]\n", "[particles]\n" + method});
   edits.push_back({"[tool]", loose_chip(x, velocity) + "[tool]"});
   edits.push_back({"[run]", sections + "[run]"});
   return edit_small_deck(edits);
@@ -48,11 +50,13 @@ Outcome run(const TemporaryFolder& folder, const std::string& name, const std::s
 
 } // namespace
 
-// It leaves when it has flown 14 um: the order of sums changes, no more.
+// It leaves when it has flown 14 um: the order of sums changes, no more. Without shifting, which makes more
+// of round-off: the kinetic energy then differs by 3e-6.
 TEST(Retire, leaves_the_rest_as_it_was_and_takes_its_own_along) {
   const TemporaryFolder folder;
-  const Outcome with = run(folder, "with", deck_with_chip(372, -v, all_awake)),
-                without = run(folder, "without", deck_with_chip(372, -v, all_awake + retires));
+  const std::string method = "shifting = false\n";
+  const Outcome with = run(folder, "with", deck_with_chip(372, -v, all_awake, method)),
+                without = run(folder, "without", deck_with_chip(372, -v, all_awake + retires, method));
   for (const char* column : {"external_work", "plastic_work", "max_temperature", "kinetic_energy"})
     EXPECT_NEAR(without.history.at(column).back() / with.history.at(column).back(), 1, 1e-6) << column;
   EXPECT_NEAR(without.history.at("energy_residual").back() / with.history.at("external_work").back(),
