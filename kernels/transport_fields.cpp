@@ -56,7 +56,7 @@ SWARF_FN int for_each_transported(const Particles& p, const Take& take) {
 
 struct Count {
   template <class Field, class Row>
-  void operator()(const Field&, int, Row) const {}
+  SWARF_FN void operator()(const Field&, int, Row) const {}
 };
 
 struct Gather { // the values of row i

@@ -43,7 +43,7 @@ struct Shift {
 // only where the row has come off what is below; what lies below does not push it out.
 SWARF_FN Shift shift_of(const ShiftSums& s, const ShiftPoint& at) {
   const Real size = shift_coefficient * at.h * at.h;
-  Vector3 d = -size * (s.gradient + shift_pairing * s.pairing);
+  Vector3 d = -size * (s.gradient + Real(shift_pairing) * s.pairing);
   Vector3 normal{0, 0, 0};
   const Real pressed = norm(at.pressed), steep = norm(s.gradient), seen2 = dot(s.surface, s.surface);
   const Vector3 out = steep > 0 ? (Real(-1) / steep) * s.gradient : Vector3{0, 0, 0};
