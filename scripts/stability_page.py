@@ -66,17 +66,17 @@ DEFAULTS = """
   cut the pressure's noise is {soft_noise} of the yield stress without, {noise} with 0.3, {stiffer_noise} with 2.
 - `particles.artificial_stress` = 0, also in the decks that cut: on a lattice out of order it makes noise and energy,
   and it does not save a strip that is pulled on. The stiffness does in its place what it was for.
-- `particles.pressure_diffusion` = 0; 0.003 in the decks that cut: it lessens the noise of the pressure there. Without
+- `particles.pressure_diffusion` = 0; 0.03 in the decks that cut: it lessens the noise of the pressure there. Without
   an artificial stress or a stiffness it feeds what alternates in the plate, and it takes its share of the work under
   a mass factor.
 - `particles.shifting` = true: of the plastic strain of a layer sheared to 10 from disorder {unshifted_strain} is missing
   without, {shifted_strain} with it; neighbours in the chip are {unshifted_nearest} and {shifted_nearest} spacings apart.
-  A strip of metal that is pulled slowly still parts: pairs form sooner than its flow lets them be shifted.
+  A strip of metal that is pulled slowly parts without it, and more slowly still (verification) with it.
 - `particles.xsph` = 0: it delays pairing as the artificial stress does, and loses track of {xsph} of the energy of a
   cut.
 - `particles.kernel_frame` = "current": "initial" is best in everything that it can do, but cannot follow a chip.
 - `hexes.hourglass` = "stiffness": it holds what "viscous" only slows. Neither takes the shear of a cut.
-- `run.courant` = 0.3, up to 0.5 in the decks: no formulation breaks at or below {courant}.
+- `run.courant` = 0.3, up to 0.8 in the decks: no formulation breaks at or below {courant}.
 - `run.mass_factor` = 1e4 at 0.5 m/s and 10 um: the largest at which the defaults keep the work within 10 %.
 """
 
