@@ -124,7 +124,7 @@ TEST(Shifting, DoesNotLeaveASurfaceAlongTheTool) {
   for (const Real steep : {Real(0.2), Real(0.47), Real(1)})
     for (const Real lean : {Real(-1), Real(0), Real(1)}) { // of the pairing, along and against
       const ShiftSums sums{{-steep / spacing, 0, Real(-0.5) / spacing},
-                           {lean * 5 / spacing, Real(1) / spacing, 0},
+                           {lean * 20 / spacing, Real(1) / spacing, 0},
                            inside,
                            {0, 0, 0}};
       const Vector3 d = shift_of(sums, {h, spacing, 1, pressed}).displacement;
