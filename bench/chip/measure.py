@@ -38,7 +38,7 @@ def run(job):
     deck = deck_of(*job)
     if not (folder / "summary.json").exists():
         RUNS.mkdir(parents=True, exist_ok=True)
-        file = folder.with_suffix(".toml")
+        file = RUNS / f"{folder.name}.toml"
         file.write_text(decks.text(deck))
         subprocess.run([ROOT / "build/release/swarf", "run", file, "-o", folder, "--threads", "1", "--no-pictures"],
                        stdout=subprocess.DEVNULL, check=False)
