@@ -15,8 +15,8 @@
 namespace swarf {
 namespace {
 
-constexpr int columns = 16;                // of all transported fields
-using Values = View<Real * [columns + 1]>; // and the material's row
+constexpr int columns = 16; // of all transported fields
+using Values = View<Real* [columns]>;
 using Changes = View<Real* [columns]>;
 
 template <class Field>
