@@ -48,3 +48,10 @@ endif()
 if(SWARF_WERROR)
   add_compile_options(-Werror)
 endif()
+
+# Kokkos' headers are half of what a file costs to compile. nvcc knows no precompiled headers.
+function(precompile target)
+  if(NOT Kokkos_ENABLE_CUDA)
+    target_precompile_headers(${target} ${ARGN})
+  endif()
+endfunction()
