@@ -59,10 +59,10 @@ Deck hybrid_scene(double n) {
   return deck;
 }
 
-// Neither artificial stress nor hourglass stiffness, whatever the deck has.
+// No hourglass stiffness, whatever the deck has.
 Deck plain_scene(double n) {
   Deck deck = particle_scene(n);
-  deck.particles.artificial_stress = deck.particles.hourglass_stiffness = 0;
+  deck.particles.hourglass_stiffness = 0;
   return deck;
 }
 

@@ -1,7 +1,6 @@
-// f_i = V_i sum_j V_j [ (sigma_i K_i + sigma_j K_j) + (R_i + R_j) f_ij^n - q_ij 1 ] grad W_ij
+// f_i = V_i sum_j V_j [ (sigma_i K_i + sigma_j K_j) - q_ij 1 ] grad W_ij
 // The corrected gradient appears as in the velocity gradient, so that the forces do on any velocity field the
 // work that the stresses do (Bonet & Lok 1999): linear and angular momentum and energy are conserved.
-// R: artificial stress of Gray, Monaghan & Swift (2001), f_ij = W_ij / W(spacing).
 // q: Monaghan (1992) viscosity, q = -alpha Z mu + beta rho mu^2 for approaching pairs, rho and Z = rho c of
 // the scaled mass. Reconstructed: mu from v_ij - (D_i + D_j) x_ij / 2, which a linear velocity field makes
 // zero (Frontiere, Raskin & Owen 2017), so that steady shear feels no viscosity. The same remainder, whether
@@ -17,14 +16,14 @@ namespace swarf {
 namespace {
 
 // Chosen when compiled: unused sums would cost a third of the pass.
-template <bool with_artificial, bool with_stiff, bool in_initial_frame = false>
+template <bool with_stiff, bool in_initial_frame>
 struct Terms {
-  static constexpr bool artificial = with_artificial, stiff = with_stiff, initial = in_initial_frame;
+  static constexpr bool stiff = with_stiff, initial = in_initial_frame;
 };
 
 // The cluster's own values and sums.
 struct ForceSums {
-  Vector3Of<Pack> neighbor_stress; // sum V_j [P_j + f^n R_j - q] grad W
+  Vector3Of<Pack> neighbor_stress; // sum V_j [P_j - q] grad W
   Vector3Of<Pack> gradient;        // sum V_j grad W, meets P_i afterwards
   Vector3Of<Pack> hourglass_rate;
   Pack viscous_power, hourglass_power; // sum V_j q grad W . v_ij
@@ -45,7 +44,7 @@ struct Coefficients {
 struct Cluster {
   Vector3Of<Pack> x, X, v, d;
   Tensor3Of<Pack> F;
-  Symmetric3Of<Pack> D, R; // D with half its diagonal
+  Symmetric3Of<Pack> D; // with half its diagonal
   Pack inverse_support;
   Pack linear, quadratic, hourglass, stiffness; // its own part of the pair's
 };
@@ -83,13 +82,6 @@ KOKKOS_FORCEINLINE_FUNCTION PairViscosity pair_viscosity(const Cluster& i, const
   const Pack quadratic = i.quadratic + c.quadratic * broadcast(p.impedance, j, 1);
   return {mu * (quadratic * mu + (i.linear + c.linear * Z_j)),
           (i.hourglass + c.hourglass * Z_j) * (beyond * per_length), beyond, per_length * inverse_h};
-}
-
-KOKKOS_FORCEINLINE_FUNCTION Pack artificial_weight(const Pack& q, const ParticleMethod& m) {
-  const Pack f = kernel_shape(q) / kernel_shape(Pack(m.spacing_ratio));
-  Pack power = f;
-  for (int e = 1; e < m.artificial_stress_exponent; ++e) power = power * f;
-  return power;
 }
 
 struct PairSpring {
@@ -144,12 +136,6 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
   const Pack rate = slope * xv;
   s.viscous_power += q.shock * rate;
   s.hourglass_power += hourglass * rate;
-  if constexpr (T::artificial) {
-    const Pack weight = artificial_weight(Kokkos::sqrt(dot(x_ij, x_ij)) * inverse_h, m);
-    const auto repulsion = multiply(i.R + broadcast_symmetric(p.artificial_stress, j), weight * grad);
-    s.neighbor_stress = s.neighbor_stress + repulsion;
-    s.hourglass_power -= dot(repulsion, v_ij);
-  }
 }
 
 template <class T>
@@ -167,7 +153,6 @@ KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& 
                                                : Vector3Of<Pack>{zero, zero, zero},
                   .F = T::stiff && T::initial ? lanes.load_tensor(p.deformation_gradient) : Tensor3Of<Pack>{},
                   .D = {c.half * D.xx, c.half * D.yy, c.half * D.zz, D.xy, D.yz, D.zx},
-                  .R = T::artificial ? lanes.load_symmetric(p.artificial_stress) : Symmetric3Of<Pack>{},
                   .inverse_support = lanes.load(p.inverse_support),
                   .linear = c.linear * impedance,
                   .quadratic = c.quadratic * lanes.load(p.impedance, 1),
@@ -199,15 +184,12 @@ void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Rea
 
 } // namespace
 
-// In the initial frame there is no artificial stress.
 void particle_forces(const Particles& p, const Neighbors& n, const ParticleMethod& m, Real dt) {
-  const bool artificial = m.artificial_stress > 0, stiff = m.hourglass_stiffness > 0;
+  const bool stiff = m.hourglass_stiffness > 0;
   if (m.initial_frame)
-    stiff ? launch<Terms<false, true, true>>(p, n, m, dt) : launch<Terms<false, false, true>>(p, n, m, dt);
-  else if (artificial)
-    stiff ? launch<Terms<true, true>>(p, n, m, dt) : launch<Terms<true, false>>(p, n, m, dt);
+    stiff ? launch<Terms<true, true>>(p, n, m, dt) : launch<Terms<false, true>>(p, n, m, dt);
   else
-    stiff ? launch<Terms<false, true>>(p, n, m, dt) : launch<Terms<false, false>>(p, n, m, dt);
+    stiff ? launch<Terms<true, false>>(p, n, m, dt) : launch<Terms<false, false>>(p, n, m, dt);
 }
 
 } // namespace swarf

@@ -1,8 +1,7 @@
 // What a particle shows its neighbours in the force sum: P = sigma K, in the place of K, D = sym L, in the
-// place of L, R (artificial_stress.hpp) and the impedance of the mass-scaled material. Once after each
-// velocity_gradient. Reads points. Writes rows [0, count + tied); V = m / rho, or m / rho_0 in the initial
-// frame, where K is J F^-T K_0 and P the first Piola-Kirchhoff stress.
-#include "swarf/artificial_stress.hpp"
+// place of L, and the impedance of the mass-scaled material. Once after each velocity_gradient. Reads points.
+// Writes rows [0, count + tied); V = m / rho, or m / rho_0 in the initial frame, where K is J F^-T K_0 and P
+// the first Piola-Kirchhoff stress.
 #include "swarf/kernels.hpp"
 #include "swarf/stress_update.hpp"
 
@@ -11,8 +10,7 @@ namespace swarf {
 void prepare_pair_state(const Particles& p, const MaterialTable& materials, const ParticleMethod& method) {
   const MaterialPoints points = p.points;
   const bool correct = method.correct_forces, initial = method.initial_frame;
-  const bool tensile = p.artificial_stress.extent(0) > 0;
-  const Real epsilon = method.artificial_stress, mass_factor = method.mass_factor;
+  const Real mass_factor = method.mass_factor;
   Kokkos::parallel_for(
       "prepare_pair_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
         const Symmetric3 stress = load_symmetric(points.stress, i);
@@ -20,10 +18,6 @@ void prepare_pair_state(const Particles& p, const MaterialTable& materials, cons
         store_tensor(p.pair_stress, i, multiply(to_tensor(stress), K));
         const Symmetric3 D = symmetric_part(load_tensor(points.velocity_gradient, i));
         store_tensor(points.velocity_gradient, i, to_tensor(D));
-        if (tensile) {
-          const Symmetric3 tension = epsilon > 0 ? tensile_part(stress) : Symmetric3{0, 0, 0, 0, 0, 0};
-          store_symmetric(p.artificial_stress, i, -epsilon * tension);
-        }
         const Real density = points.density(i) * mass_factor;
         const Real speed = longitudinal_wave_speed(materials(points.material(i))) / Kokkos::sqrt(mass_factor);
         p.impedance(i, 0) = density * speed;

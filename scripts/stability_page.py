@@ -64,16 +64,12 @@ DEFAULTS = """
 - `particles.hourglass_stiffness` = 0.3 holds: rings, plates and zero-energy modes are stable with it and not without.
   The pulled strip, a tension that no metal bears, asks for 2, which breaks above a Courant number of {stiffer}. In the
   cut the pressure's noise is {soft_noise} of the yield stress without, {noise} with 0.3, {stiffer_noise} with 2.
-- `particles.artificial_stress` = 0, also in the decks that cut: on a lattice out of order it makes noise and energy,
-  and it does not save a strip that is pulled on. The stiffness does in its place what it was for.
 - `particles.pressure_diffusion` = 0; 0.03 in the decks that cut: it lessens the noise of the pressure there. Without
-  an artificial stress or a stiffness it feeds what alternates in the plate, and it takes its share of the work under
+  a stiffness it feeds what alternates in the plate, and it takes its share of the work under
   a mass factor.
 - `particles.shifting` = true: of the plastic strain of a layer sheared to 10 from disorder {unshifted_strain} is missing
   without, {shifted_strain} with it; neighbours in the chip are {unshifted_nearest} and {shifted_nearest} spacings apart.
   A strip of metal that is pulled slowly parts without it, and more slowly still (verification) with it.
-- `particles.xsph` = 0: it delays pairing as the artificial stress does, and loses track of {xsph} of the energy of a
-  cut.
 - `particles.kernel_frame` = "current": "initial" is best in everything that it can do, but cannot follow a chip.
 - `hexes.hourglass` = "stiffness": it holds what "viscous" only slows. Neither takes the shear of a cut.
 - `run.courant` = 0.3, up to 0.8 in the decks: no formulation breaks at or below {courant}.
@@ -148,7 +144,7 @@ def defaults(matrix):
             monaghan=percent("corrected", "viscosity", "viscosity_shipped"),
             damped=percent("hourglass_viscosity", "zero_energy", "mode_left"),
             undamped=percent("reconstructed", "zero_energy", "mode_left"),
-            xsph=percent("defaults_xsph", "cut", "energy_residual"), courant=number(courant),
+            courant=number(courant),
             stiffer=number(value("defaults_stiffer", "courant", "courant")),
             noise=number(value("defaults", "cut", "pressure_noise")),
             unshifted_strain=percent("cutting_unshifted", "shear_metal", "strain_missing"),
@@ -228,13 +224,13 @@ def changes(matrix):
 
 
 PAIRS = [
-    ("corrected", "plain"), ("artificial_stress", "corrected"), ("pressure_diffusion", "corrected"),
+    ("corrected", "plain"), ("pressure_diffusion", "corrected"),
     ("hourglass_viscosity", "corrected"), ("hourglass_stiffness", "corrected"),
-    ("shifting", "corrected"), ("xsph", "corrected"),
-    ("reconstructed", "corrected"), ("defaults_soft", "reconstructed"), ("defaults_artificial_stress", "defaults"),
+    ("shifting", "corrected"),
+    ("reconstructed", "corrected"), ("defaults_soft", "reconstructed"),
     ("defaults_pressure_diffusion", "defaults"), ("defaults", "defaults_soft"),
-    ("defaults_stiffer", "defaults"), ("defaults_xsph", "defaults"), ("cutting", "defaults"),
-    ("cutting", "cutting_artificial_stress"), ("cutting", "cutting_unshifted"),
+    ("defaults_stiffer", "defaults"), ("cutting", "defaults"),
+    ("cutting", "cutting_unshifted"),
     ("total_lagrangian_viscous", "total_lagrangian"),
     ("total_lagrangian_stiff", "total_lagrangian_viscous"), ("total_lagrangian_viscous", "defaults"),
     ("hexes_viscous", "hexes_stiffness"), ("hexes_stiffness_deleted", "hexes_stiffness"),

@@ -93,8 +93,7 @@ struct ParticlesDeck {
   bool correction = true, correct_forces = true;
   std::string viscosity_form; // reconstructed | monaghan
   double viscosity_linear = 0, viscosity_quadratic = 0, hourglass_viscosity = 0, hourglass_stiffness = 0;
-  double artificial_stress = 0, artificial_stress_exponent = 4, pressure_diffusion = 0;
-  double xsph = 0;
+  double pressure_diffusion = 0;
   bool shifting = true;
   double skin = 0.1; // of the support
   bool operator==(const ParticlesDeck&) const = default;

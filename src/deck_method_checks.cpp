@@ -20,9 +20,7 @@ void check_kernel_frame(const Deck& deck, const toml::table& root, DeckReport& r
   refuse(p.density == "summation", "density", "It is that of the deformation gradient: use \"continuity\"");
   refuse(!p.correction, "correction", "At a free surface a body at rest would be strained: use true");
   refuse(!p.correct_forces, "correct_forces", "Stresses would not be pulled back: use true");
-  refuse(p.artificial_stress > 0, "artificial_stress", "There is no tensile instability to take away: use 0");
   refuse(p.pressure_diffusion > 0, "pressure_diffusion", "It acts between present neighbours: use 0");
-  refuse(p.xsph > 0, "xsph", "It acts between present neighbours: use 0");
   if (deck.sleep.distance)
     report.add(
         find_place(table, "kernel_frame"), "particles.kernel_frame",

@@ -44,10 +44,6 @@ const Keys<ParticlesDeck>& particles_keys() {
        "resistance to displacements that no gradient sees, share of the shear modulus (rubber stretched by a "
        "fifth needs 2, flowing metal gains energy above 1); in the initial frame to elongations that the "
        "deformation gradient does not explain (Ganzenmueller 2015)"},
-      {"artificial_stress", &P::artificial_stress, D::none, share, "0.0", always,
-       "share of a tension that is taken back between close pairs (Gray, Monaghan & Swift 2001); 0: off"},
-      {"artificial_stress_exponent", &P::artificial_stress_exponent, D::none, Range{1, 10}, "4.0", always,
-       "power of W(r) / W(spacing) in it"},
       {"pressure_diffusion", &P::pressure_diffusion, D::none, Range{0, 1}, "0.0", always,
        "of pressures that alternate between neighbours, and of the density with them, share of wave "
        "speed * h (Antuono et al. 2010); 0: off"},
@@ -55,8 +51,6 @@ const Keys<ParticlesDeck>& particles_keys() {
        "particles of material that flows are moved back into an even order, and take what the fields are "
        "there; "
        "nothing elastic moves. In the current frame only"},
-      {"xsph", &P::xsph, D::none, share, "0.0", always,
-       "share of the neighbours' velocity in the velocity that particles move with (Monaghan 1989); 0: off"},
       {"skin", &P::skin, D::none, Range{0, 1, true, false}, "0.1", always,
        "reach of the neighbour lists beyond the kernel's, over the kernel's; changes the cost only"},
   };

@@ -47,8 +47,6 @@ bool uses(const Deck& deck, Method method) {
   switch (method) {
   case Method::always:
     return true;
-  case Method::with_artificial_stress:
-    return set.artificial_stress > 0;
   case Method::with_conduction:
     return conducts_heat(deck);
   case Method::with_hourglass_stiffness:
@@ -63,8 +61,6 @@ bool uses(const Deck& deck, Method method) {
     return bool(deck.sleep.distance);
   case Method::with_summation:
     return set.density == "summation";
-  case Method::with_xsph:
-    return set.xsph > 0;
   }
   return false;
 }

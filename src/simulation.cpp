@@ -63,13 +63,7 @@ void Simulation::kick_half() {
 }
 
 void Simulation::move() {
-  Motion particles = motion_of(model.particles);
-  if (deck.particles.xsph > 0) {
-    follow_hexes_and_images(); // their velocities are those before the kick
-    smooth_velocity(model.particles, lists, model.constraints, Real(deck.particles.xsph));
-    particles.velocity = model.particles.drift_velocity;
-  }
-  drift(particles, Real(step_size));
+  drift(motion_of(model.particles), Real(step_size));
   drift(motion_of(model.hexes), Real(step_size));
   now += step_size; // the tool's pose is a function of time
 }

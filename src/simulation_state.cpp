@@ -22,8 +22,6 @@ ParticleMethod particle_method_of(const Deck& deck) {
   m.viscosity_quadratic = Real(deck.particles.viscosity_quadratic);
   m.hourglass_viscosity = Real(deck.particles.hourglass_viscosity);
   m.hourglass_stiffness = Real(deck.particles.hourglass_stiffness);
-  m.artificial_stress = Real(deck.particles.artificial_stress);
-  m.artificial_stress_exponent = int(std::lround(deck.particles.artificial_stress_exponent));
   m.spacing_ratio = Real(1 / deck.particles.smoothing_ratio);
   m.mass_factor = Real(deck.run.mass_factor);
   m.initial_frame = deck.particles.kernel_frame == "initial";

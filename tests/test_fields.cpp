@@ -228,7 +228,7 @@ TEST(Fields, ImagesMakeRoomInWhatTheyCarry) {
   ASSERT_GT(p.total, p.stored);
   for_each_field(p, [&](const char* name, const auto& field, auto facts) {
     const int had = int(field.extent(0));
-    const bool is_used = facts.method != Method::with_conduction && facts.method != Method::with_xsph;
+    const bool is_used = facts.method != Method::with_conduction;
     EXPECT_TRUE(is_used || had == 0) << name;
     EXPECT_EQ(had >= p.total, had > 0 && facts.on_images) << name;
   });

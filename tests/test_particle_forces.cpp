@@ -8,7 +8,7 @@ constexpr Real round_off = Kokkos::Experimental::epsilon_v<Real>;
 // A disordered block with random stress, velocity and temperature-free material: the worst case for the sums.
 ParticleBlock stressed_block(Real disorder = Real(0.2)) {
   ParticleBlock b = particle_block(9, 8, 7, Real(1e-3), disorder);
-  b.method.viscosity_linear = 1, b.method.viscosity_quadratic = 2, b.method.artificial_stress = Real(0.3);
+  b.method.viscosity_linear = 1, b.method.viscosity_quadratic = 2;
   const auto s = host_copy(b.particles.points.stress);
   const auto v = host_copy(b.particles.velocity);
   std::mt19937_64 random(5);
@@ -80,7 +80,6 @@ TEST(ParticleForces, ConserveLinearMomentumWhileSmoothingLengthsEvolve) {
 // correction (test_velocity_gradient) acts on corners of the block, with 0.1 nowhere.
 TEST(ParticleForces, ConserveAngularMomentumToRoundOff) {
   ParticleBlock b = stressed_block(Real(0.1));
-  b.method.artificial_stress = 0; // acts along the plain gradient: not a function of L
   b.method.viscosity_linear = b.method.viscosity_quadratic = 0;
   compute_forces(b);
   const Balance sum = balance_of(b);
@@ -89,7 +88,6 @@ TEST(ParticleForces, ConserveAngularMomentumToRoundOff) {
 
 TEST(ParticleForces, DoTheWorkOfTheStresses) {
   ParticleBlock b = stressed_block();
-  b.method.artificial_stress = 0;
   compute_forces(b);
   const Balance sum = balance_of(b);
   EXPECT_GT(sum.viscous_power, 0);

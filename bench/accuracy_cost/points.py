@@ -111,8 +111,6 @@ METHOD = [
     ("hourglass stiffness", "stiffness 0", setter("particles", hourglass_stiffness=0.0), ALWAYS),
     ("hourglass stiffness", "stiffness 0.1", setter("particles", hourglass_stiffness=0.1), ALWAYS),
     ("hourglass stiffness", "stiffness 1", setter("particles", hourglass_stiffness=1.0), ALWAYS),
-    ("hourglass stiffness", "artificial stress 0.3 instead",
-     setter("particles", hourglass_stiffness=0.0, artificial_stress=0.3), ALWAYS),
     ("diffusion", "no pressure diffusion", setter("particles", pressure_diffusion=0.0), ALWAYS),
     ("diffusion", "pressure diffusion 0.003", setter("particles", pressure_diffusion=0.003), ALWAYS),
     ("shifting", "no shifting", setter("particles", shifting=False), ALWAYS),

@@ -17,7 +17,7 @@ import labels
 
 OF_HEXES = ("hex_velocity_gradient", "hex_forces", "hex_heat", "gather_corner_forces", "couple_nodes", "delete_hexes",
             "rest_hexes", "choose_hexes")
-OFF = ("sum_density", "smooth_velocity", "reference_gradient")  # of options that no deck here has: a crowd of labels
+OFF = ("sum_density", "reference_gradient")  # of options that no deck here has: a crowd of labels
 
 
 def draw_ceiling(axes, results, threads):

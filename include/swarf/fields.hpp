@@ -37,7 +37,6 @@ enum class Images {
 // What it is there for; without it, it has 0 rows.
 enum class Method {
   always,
-  with_artificial_stress,
   with_conduction,
   with_hourglass_stiffness,
   with_initial_frame,
@@ -45,7 +44,6 @@ enum class Method {
   with_shifting,
   with_sleep,
   with_summation,
-  with_xsph,
 };
 
 // Particles are elements, like hexes.

@@ -23,9 +23,7 @@ struct ParticleMethod {
   Real viscosity_linear = 0, viscosity_quadratic = 0;
   Real hourglass_viscosity = 0; // times Z: damps motion that the velocity gradient does not see
   Real hourglass_stiffness = 0; // times the shear modulus: resists the same motion
-  Real artificial_stress = 0;   // epsilon of Gray, Monaghan & Swift (2001)
-  int artificial_stress_exponent = 4;
-  Real spacing_ratio = 0; // spacing / h of the initial lattice, where the artificial stress is full
+  Real spacing_ratio = 0;       // spacing / h of the initial lattice
   Real mass_factor = 1;
   bool initial_frame = false; // kernels, lists and volumes of the initial positions: total Lagrangian
 };
@@ -130,8 +128,6 @@ struct Motion { // a set of points that Newton's law moves: particles or nodes
 void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
 void drift(const Motion&, Real dt);
 void absorb_waves(const Motion&, const ScalarField& damping, Real mass_factor, Real dt);
-// XSPH: the velocity that particles move with; v of their neighbours has the share epsilon in it.
-void smooth_velocity(const Particles&, const Neighbors&, const ConstraintTable&, Real epsilon);
 
 // --- sums and extremes: fixed blocks, so that the sum does not depend on the number of threads
 // Adds the load of this step to sums.total and the tool's work to it; no copy to the host.

@@ -27,18 +27,16 @@ struct Particles {
   TensorField deformation_gradient; // F, rows [0, count + tied); 0 rows in the current frame
 
   // What a neighbour needs in the force sum (prepare_pair_state); and D, in points.velocity_gradient.
-  TensorField pair_stress;          // K_i of the corrected kernel gradient; then, in its place, sigma K, Pa
-  SymmetricField artificial_stress; // Gray-Monaghan, Pa; 0 rows without it
-  View<Real* [2]> heat_state;       // T (K) and k (W/(m K)), and
-  SymmetricField heat_shape;        // sym K: for conduct_heat; 0 rows without conduction
-  View<Real* [4]> pressure_state;   // p (Pa) and its gradient, for diffuse_pressure; 0 rows without it
-  View<Real* [3]> impedance;        // mass-scaled rho c (Pa s/m) and rho (kg/m3), shear modulus (Pa)
+  TensorField pair_stress;        // K_i of the corrected kernel gradient; then, in its place, sigma K, Pa
+  View<Real* [2]> heat_state;     // T (K) and k (W/(m K)), and
+  SymmetricField heat_shape;      // sym K: for conduct_heat; 0 rows without conduction
+  View<Real* [4]> pressure_state; // p (Pa) and its gradient, for diffuse_pressure; 0 rows without it
+  View<Real* [3]> impedance;      // mass-scaled rho c (Pa s/m) and rho (kg/m3), shear modulus (Pa)
   VectorField
       hourglass_displacement; // m, what neighbours' gradients do not explain; 0 rows without stiffness
 
-  VectorField drift_velocity; // m/s, rows [0, count); 0 rows without XSPH
-  ScalarField heat;           // J that conduction brought last, rows [0, count + tied); 0 rows without it
-  ScalarField damping;        // 1/s, where sleep begins (sleep.hpp), rows [0, count); 0 rows without it
+  ScalarField heat;    // J that conduction brought last, rows [0, count + tied); 0 rows without it
+  ScalarField damping; // 1/s, where sleep begins (sleep.hpp), rows [0, count); 0 rows without it
 
   // History that belongs to the particle.
   VectorField hourglass_rate;      // m/s, of hourglass_displacement
@@ -75,8 +73,6 @@ struct Particles {
     visit("volume", p.volume, Facts<history, after_drift, before_forces>());
     visit("impedance", p.impedance, Facts<history, after_drift, before_forces>());
     visit("pair_stress", p.pair_stress, Facts<tensor, pair, before_forces>());
-    visit("artificial_stress", p.artificial_stress,
-          Facts<symmetric, pair, before_forces, with_artificial_stress>());
     visit("heat_state", p.heat_state, Facts<pair, in_conduct_heat, with_conduction>());
     visit("heat_shape", p.heat_shape, Facts<symmetric, pair, in_conduct_heat, with_conduction>());
     visit("pressure_state", p.pressure_state,
@@ -85,7 +81,6 @@ struct Particles {
           Facts<vector, history, before_forces, with_hourglass_stiffness, transported>());
     visit("hourglass_rate", p.hourglass_rate, Facts<vector, history, with_hourglass_stiffness>());
     visit("deformation_gradient", p.deformation_gradient, Facts<tensor, before_forces, with_initial_frame>());
-    visit("drift_velocity", p.drift_velocity, Facts<vector, with_xsph>());
     visit("heat", p.heat, Facts<with_conduction>());
     visit("damping", p.damping, Facts<history, with_sleep>());
     visit("surface_normal", p.surface_normal, Facts<vector, history, in_find_shifts, with_shifting>());

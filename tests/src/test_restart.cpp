@@ -98,13 +98,12 @@ TEST(Restart, killed_at_random_times) {
   expect_equal(folder / "whole", folder / "killed");
 }
 
-// The options that carry more state: summed density, deleted hexes, XSPH.
+// The options that carry more state: summed density, deleted hexes.
 TEST(Restart, killed_with_other_methods) {
   const TemporaryFolder folder;
   const std::string deck = write_deck(
-      folder,
-      edit_small_deck({{"\"fixed\"\n[hexes]", "\"fixed\"\ndensity = \"summation\"\nxsph = 0.5\n[hexes]"},
-                       {"\"stiffness\"", "\"viscous\"\ndelete_at_strain = 1e-6"}}));
+      folder, edit_small_deck({{"\"fixed\"\n[hexes]", "\"fixed\"\ndensity = \"summation\"\n[hexes]"},
+                               {"\"stiffness\"", "\"viscous\"\ndelete_at_strain = 1e-6"}}));
   const std::size_t whole = run_whole(deck, folder / "whole");
   IndexField active;
   CheckpointReader(folder / "whole" / "checkpoint.h5").get("hexes/active", active);

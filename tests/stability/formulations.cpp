@@ -53,39 +53,31 @@ Formulation total_lagrangian(const std::string& name, const std::string& text, d
 
 std::vector<Formulation> make() {
   const Change none = [](ParticlesDeck&) {};
-  const Change artificial_stress = [](ParticlesDeck& p) { p.artificial_stress = 0.3; };
   const Change pressure_diffusion = [](ParticlesDeck& p) { p.pressure_diffusion = 0.003; };
   const Change hourglass_viscosity = [](ParticlesDeck& p) { p.hourglass_viscosity = 0.3; };
   const Change reconstructed = [](ParticlesDeck& p) { p.viscosity_form = "reconstructed"; };
   const auto hourglass_stiffness = [](double share) {
     return [=](ParticlesDeck& p) { p.hourglass_stiffness = share; };
   };
-  const Change xsph = [](ParticlesDeck& p) { p.xsph = 0.5; };
   const std::string stiffness = "hexes, stiffness hourglass control",
                     viscous = "hexes, viscous hourglass control";
   return {
       changed("plain", "plain sums, Monaghan viscosity", plain, none),
       changed("corrected", "corrected gradient, forces its adjoint", corrected, none),
-      changed("artificial_stress", "corrected + artificial stress 0.3", corrected, artificial_stress),
       changed("pressure_diffusion", "corrected + pressure diffusion 0.003", corrected, pressure_diffusion),
       changed("hourglass_viscosity", "corrected + hourglass viscosity 0.3", corrected, hourglass_viscosity),
       changed("hourglass_stiffness", "corrected + hourglass stiffness 0.3", corrected,
               hourglass_stiffness(0.3)),
       changed("shifting", "corrected + shifting", corrected, [](ParticlesDeck& p) { p.shifting = true; }),
-      changed("xsph", "corrected + XSPH 0.5", corrected, xsph),
       changed("reconstructed", "corrected + reconstructed viscosity", corrected, reconstructed),
       changed("defaults", "shipped defaults", defaults, none),
-      changed("defaults_artificial_stress", "defaults + artificial stress 0.3", defaults, artificial_stress),
       changed("defaults_pressure_diffusion", "defaults + pressure diffusion 0.003", defaults,
               pressure_diffusion),
       changed("defaults_soft", "defaults without hourglass stiffness", defaults, hourglass_stiffness(0)),
       changed("defaults_stiffer", "defaults, hourglass stiffness 2", defaults, hourglass_stiffness(2)),
-      changed("defaults_xsph", "defaults + XSPH 0.5", defaults, xsph),
       changed("cutting", "as the cutting decks", cutting, none),
       changed("cutting_unshifted", "as the cutting decks, without shifting", cutting,
               [](ParticlesDeck& p) { p.shifting = false; }),
-      changed("cutting_artificial_stress", "as the cutting decks, artificial stress 0.3 for the stiffness",
-              cutting, [](ParticlesDeck& p) { p.artificial_stress = 0.3, p.hourglass_stiffness = 0; }),
       total_lagrangian("total_lagrangian", "total Lagrangian", 0, 0),
       total_lagrangian("total_lagrangian_viscous", "total Lagrangian + hourglass viscosity 0.3", 0.3, 0),
       total_lagrangian("total_lagrangian_stiff", "total Lagrangian + hourglass viscosity, stiffness 0.3", 0.3,

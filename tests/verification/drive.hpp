@@ -34,16 +34,15 @@ end_time = "1 s"
 
 // What stabilises particles, as a test varies it.
 struct Stabiliser {
-  double stiffness = 0, artificial_stress = 0;
+  double stiffness = 0;
 
   void apply(Deck& deck) const {
-    deck.particles.hourglass_stiffness = stiffness, deck.particles.artificial_stress = artificial_stress;
+    deck.particles.hourglass_stiffness = stiffness;
   }
   std::string text() const {
     char text[64];
     std::snprintf(text, sizeof text, ", hourglass stiffness %g", stiffness);
-    const std::string artificial = artificial_stress > 0 ? ", artificial stress 0.3" : "";
-    return text + artificial;
+    return text;
   }
 };
 
@@ -51,7 +50,7 @@ struct Stabiliser {
 inline Deck undamped() {
   Deck deck = shipped_defaults();
   deck.particles.viscosity_linear = deck.particles.viscosity_quadratic = 0;
-  deck.particles.hourglass_viscosity = deck.particles.artificial_stress = 0;
+  deck.particles.hourglass_viscosity = 0;
   deck.particles.pressure_diffusion = 0;
   deck.hexes.viscosity_linear = deck.hexes.viscosity_quadratic = 0;
   return deck;

@@ -69,12 +69,6 @@ const std::string one_sided =
     "a layer at the surface sees the strain 0.15 to 0.2 spacings further inside: the plate is "
     "too soft by 4/n^2 for n particles across";
 
-Deck with_artificial_stress() {
-  Deck deck = shipped_defaults();
-  deck.particles.artificial_stress = 0.3;
-  return deck;
-}
-
 // The plate of Landau & Lifshitz (Theory of Elasticity) has 0.25406 s if it is thin; with shear and rotary
 // inertia, in plane strain, the clamp not yielding, quadratic finite elements converge to 0.2551 s (10 to 80
 // elements along give 0.2526, 0.2543, 0.2549, 0.2551).
@@ -123,10 +117,6 @@ TEST(BendingLong, PlateOfParticles) {
   }
   report_order(plate().name + ", particles", "period", "4, 6, 8 across, shipped defaults", size, error, 1,
                0.3, plate_source);
-  const Oscillation o = run(plate(), with_artificial_stress(), "particles", 8, plate_period);
-  report_plate("particles", "8 across, artificial stress 0.3", o.period, 0.1 / 8 + 0.5 / 64 + 5e-4,
-               one_sided + "; and the artificial stress takes back a part of the tension");
-  curve.series.push_back(o.tip), curve.series.back().label += ", artificial stress 0.3";
   curve.series.push_back(sine(0.75));
   write_curve(curve);
 }
