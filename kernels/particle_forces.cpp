@@ -1,14 +1,14 @@
 // f_i = V_i sum_j V_j [ (sigma_i K_i + sigma_j K_j) - q_ij 1 ] grad W_ij
 // The corrected gradient appears as in the velocity gradient, so that the forces do on any velocity field the
 // work that the stresses do (Bonet & Lok 1999): linear and angular momentum and energy are conserved.
-// q: Monaghan (1992) viscosity, q = -alpha Z mu + beta rho mu^2 for approaching pairs, rho and Z = rho c of
-// the scaled mass. Reconstructed: mu from v_ij - (D_i + D_j) x_ij / 2, which a linear velocity field makes
-// zero (Frontiere, Raskin & Owen 2017), so that steady shear feels no viscosity. The same remainder, whether
-// the pair approaches or parts, meets the hourglass viscosity, and its sum over time the hourglass stiffness,
-// kappa G x_ij.(d_i - d_j) / r^2 (evolve_hourglass.cpp). In the initial frame grad W is that of X_ij
-// (reference_gradient.cpp), and q acts along the line x_ij with its slope, so that it takes
-// energy however the body has turned. Reads what prepare_pair_state wrote. Writes force, rows [0, count +
-// tied); adds viscous_work.
+// q: the viscosity of Monaghan (1992), -alpha Z mu + beta rho mu^2, rho and Z = rho c of the scaled mass, mu
+// from v_ij - (D_i + D_j) x_ij / 2, which a linear velocity field makes zero (Frontiere, Raskin & Owen 2017),
+// so that steady shear feels no viscosity. The linear term damps whatever no gradient sees, whether the pair
+// approaches or parts; the quadratic one acts in shocks, on pairs that approach. The sum of the remainder
+// over time meets the hourglass stiffness, kappa G x_ij.(d_i - d_j) / r^2 (evolve_hourglass.cpp). In the
+// initial frame grad W is that of X_ij (reference_gradient.cpp), and q acts along the line x_ij with its
+// slope, so that it takes energy however the body has turned. Reads what prepare_pair_state wrote. Writes
+// force, rows [0, count + tied); adds viscous_work.
 #include "swarf/kernels.hpp"
 #include "swarf/pair.hpp"
 
@@ -32,13 +32,12 @@ struct ForceSums {
 // Of the pressures of a pair, which take the mean of both particles: half of it for each. Read from memory,
 // for a compiler that knows a pack to be one number multiplies before it broadcasts: two operations, not one.
 struct Coefficients {
-  Pack linear, quadratic, hourglass, stiffness; // of Z, rho, Z, G
+  Pack linear, quadratic, stiffness; // of Z, rho, G
   Pack half;
 
   explicit Coefficients(const ParticleMethod& m)
       : linear(Real(-0.5) * m.viscosity_linear), quadratic(Real(0.5) * m.viscosity_quadratic),
-        hourglass(Real(-0.5) * m.hourglass_viscosity), stiffness(Real(-0.5) * m.hourglass_stiffness),
-        half(Real(0.5)) {}
+        stiffness(Real(-0.5) * m.hourglass_stiffness), half(Real(0.5)) {}
 };
 
 struct Cluster {
@@ -46,13 +45,13 @@ struct Cluster {
   Tensor3Of<Pack> F;
   Symmetric3Of<Pack> D; // with half its diagonal
   Pack inverse_support;
-  Pack linear, quadratic, hourglass, stiffness; // its own part of the pair's
+  Pack linear, quadratic, stiffness; // its own part of the pair's
 };
 
 struct PairViscosity {
-  Pack shock, hourglass; // Pa
-  Pack beyond_linear;    // x_ij . (v_ij - (D_i + D_j) x_ij / 2), m2/s
-  Pack per_area;         // 1 / r2, 1/m2
+  Pack pressure;      // Pa
+  Pack beyond_linear; // x_ij . (v_ij - (D_i + D_j) x_ij / 2), m2/s
+  Pack per_area;      // 1 / r2, 1/m2
 };
 
 // xv - x . (D_i + D_j) x / 2
@@ -69,19 +68,17 @@ KOKKOS_FORCEINLINE_FUNCTION Pack beyond_linear(const Pack& xv, const Symmetric3O
 // counts, so that it never feeds energy.
 KOKKOS_FORCEINLINE_FUNCTION PairViscosity pair_viscosity(const Cluster& i, const Particles& p, int j,
                                                          const Vector3Of<Pack>& x_ij, const Pack& xv,
-                                                         const Pack& inverse_h, const Coefficients& c,
-                                                         bool reconstruct) {
+                                                         const Pack& inverse_h, const Coefficients& c) {
   const Pack zero(Real(0));
   const Pack beyond =
       beyond_linear(xv, i.D, broadcast_symmetric(p.points.velocity_gradient, j), x_ij, c.half);
-  Pack approach = Kokkos::min(xv, zero);
-  if (reconstruct) approach = Kokkos::max(approach, Kokkos::min(beyond, zero));
+  const Pack approach = Kokkos::max(Kokkos::min(xv, zero), Kokkos::min(beyond, zero));
   const Pack q2 = dot(x_ij, x_ij) * (inverse_h * inverse_h);
   const Pack per_length = inverse_h * reciprocal(q2 + Pack(Real(0.01)));
   const Pack mu = approach * per_length, Z_j = broadcast(p.impedance, j, 0);
   const Pack quadratic = i.quadratic + c.quadratic * broadcast(p.impedance, j, 1);
-  return {mu * (quadratic * mu + (i.linear + c.linear * Z_j)),
-          (i.hourglass + c.hourglass * Z_j) * (beyond * per_length), beyond, per_length * inverse_h};
+  return {(i.linear + c.linear * Z_j) * (beyond * per_length) + quadratic * mu * mu, beyond,
+          per_length * inverse_h};
 }
 
 struct PairSpring {
@@ -113,8 +110,7 @@ KOKKOS_FORCEINLINE_FUNCTION PairSpring pair_spring(const Cluster& i, const Parti
 
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const Particles& p,
-                                          const Neighbors& n, int j, const ParticleMethod& m,
-                                          const Coefficients& c, Real dt) {
+                                          const Neighbors& n, int j, const Coefficients& c, Real dt) {
   const auto x_ij = i.x - broadcast_vector(p.position, j);
   const auto v_ij = i.v - broadcast_vector(p.velocity, j);
   const Pack inverse_h = mean_inverse_h(i.inverse_support, p.inverse_support(j));
@@ -123,25 +119,24 @@ KOKKOS_FORCEINLINE_FUNCTION void add_pair(ForceSums& s, const Cluster& i, const 
   const Pack slope = pair_slope(p.volume(j), X_ij, inverse_h);
   const auto grad = slope * X_ij, line = slope * x_ij;
   const Pack xv = dot(x_ij, v_ij);
-  PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, c, m.reconstruct_viscosity);
-  Pack hourglass = q.hourglass; // whose work counts
+  const PairViscosity q = pair_viscosity(i, p, j, x_ij, xv, inverse_h, c);
+  const Pack rate = slope * xv;
+  Pack pressure = q.pressure;
+  s.viscous_power += q.pressure * rate;
   if constexpr (T::stiff) {
     const PairSpring spring = pair_spring<T>(i, p, j, x_ij, X_ij, inverse_h, q, c, dt);
-    q.hourglass += spring.end, hourglass += spring.mean;
+    pressure += spring.end;
+    s.hourglass_power += spring.mean * rate;
     if constexpr (!T::initial) s.hourglass_rate = s.hourglass_rate - q.beyond_linear * grad;
   }
   s.gradient = s.gradient + grad;
   add_product(s.neighbor_stress, broadcast_tensor(p.pair_stress, j), grad);
-  s.neighbor_stress = s.neighbor_stress - (q.shock + q.hourglass) * line;
-  const Pack rate = slope * xv;
-  s.viscous_power += q.shock * rate;
-  s.hourglass_power += hourglass * rate;
+  s.neighbor_stress = s.neighbor_stress - pressure * line;
 }
 
 template <class T>
 KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& n, int cluster,
-                                           const Lanes& lanes, const ParticleMethod& m, const Coefficients& c,
-                                           Real dt) {
+                                           const Lanes& lanes, const Coefficients& c, Real dt) {
   const Pack zero(Real(0));
   ForceSums s{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}, zero, zero};
   const Pack impedance = lanes.load(p.impedance, 0);
@@ -156,9 +151,8 @@ KOKKOS_INLINE_FUNCTION ForceSums sum_pairs(const Particles& p, const Neighbors& 
                   .inverse_support = lanes.load(p.inverse_support),
                   .linear = c.linear * impedance,
                   .quadratic = c.quadratic * lanes.load(p.impedance, 1),
-                  .hourglass = c.hourglass * impedance,
                   .stiffness = c.stiffness * lanes.load(p.impedance, 2)};
-  for_each_neighbor(n, cluster, [&](int j) { add_pair<T>(s, i, p, n, j, m, c, dt); });
+  for_each_neighbor(n, cluster, [&](int j) { add_pair<T>(s, i, p, n, j, c, dt); });
   return s;
 }
 
@@ -168,7 +162,7 @@ void launch(const Particles& p, const Neighbors& n, const ParticleMethod& m, Rea
   Kokkos::parallel_for(
       "particle_forces", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};
-        const ForceSums s = sum_pairs<T>(p, n, cluster, lanes, m, c, dt);
+        const ForceSums s = sum_pairs<T>(p, n, cluster, lanes, c, dt);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
           const Vector3 own = multiply(load_tensor(p.pair_stress, i), lane_of(s.gradient, lane));

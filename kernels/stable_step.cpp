@@ -32,13 +32,11 @@ KOKKOS_INLINE_FUNCTION Real expansion_rate(const MaterialPoints& points, int i) 
 constexpr Real dashpots = Real(1.61), springs = Real(4.05);
 
 // Largest step of that mode over h / c', at most 1: for waves h / c' has to do. The shock's viscosity acts on
-// the half of the pairs that approach, Monaghan's in compression on all. slowness: h / c', s.
+// the half of the pairs that approach. slowness: h / c', s.
 KOKKOS_INLINE_FUNCTION Real step_of_pair_terms(const ParticleMethod& m, const Material& mat, Real slowness,
                                                Real rate) {
   const Real c = longitudinal_wave_speed(mat);
-  const Real shock =
-      m.viscosity_linear + Real(2) * m.viscosity_quadratic * slowness * Kokkos::max(-rate, Real(0));
-  const Real alpha = m.hourglass_viscosity + (m.reconstruct_viscosity ? Real(0.5) : Real(1)) * shock;
+  const Real alpha = m.viscosity_linear + m.viscosity_quadratic * slowness * Kokkos::max(-rate, Real(0));
   const Real stiffness = m.hourglass_stiffness * mat.shear_modulus / (mat.density * c * c);
   const Real w2 = stiffness * (m.initial_frame ? dashpots : springs);
   return Kokkos::min(Real(1), damped_step(w2, alpha * dashpots));

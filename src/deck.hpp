@@ -91,8 +91,7 @@ struct ParticlesDeck {
   std::string smoothing_length; // fixed | evolving
   std::string density;          // continuity | summation
   bool correction = true, correct_forces = true;
-  std::string viscosity_form; // reconstructed | monaghan
-  double viscosity_linear = 0, viscosity_quadratic = 0, hourglass_viscosity = 0, hourglass_stiffness = 0;
+  double viscosity_linear = 0, viscosity_quadratic = 0, hourglass_stiffness = 0;
   double pressure_diffusion = 0;
   bool shifting = true;
   double skin = 0.1; // of the support

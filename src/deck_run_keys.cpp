@@ -30,16 +30,12 @@ const Keys<ParticlesDeck>& particles_keys() {
       {"correct_forces", &P::correct_forces, D::none, any, "true", always,
        "correct the gradient in the forces as well (Bonet & Lok 1999): conserves angular momentum and "
        "energy"},
-      {"viscosity_form", &P::viscosity_form, D::none, Choices{"reconstructed", "monaghan"},
-       R"("reconstructed")", always,
-       "reconstructed: acts only on what a linear velocity field does not explain; monaghan: on the whole "
-       "difference of velocity"},
-      {"viscosity_linear", &P::viscosity_linear, D::none, Range{0, 10}, "0.5", always,
-       "artificial viscosity, share of density * wave speed * h"},
+      {"viscosity_linear", &P::viscosity_linear, D::none, Range{0, 10}, "0.3", always,
+       "artificial viscosity, share of density * wave speed * h: damps motion that the velocity gradient "
+       "does "
+       "not see; a linear velocity field feels nothing"},
       {"viscosity_quadratic", &P::viscosity_quadratic, D::none, Range{0, 10}, "1.0", always,
        "artificial viscosity in shocks"},
-      {"hourglass_viscosity", &P::hourglass_viscosity, D::none, Range{0, 10}, "0.3", always,
-       "damping of motion that the velocity gradient does not see, share of density * wave speed * h"},
       {"hourglass_stiffness", &P::hourglass_stiffness, D::none, Range{0, 10}, "0.3", always,
        "resistance to displacements that no gradient sees, share of the shear modulus (rubber stretched by a "
        "fifth needs 2, flowing metal gains energy above 1); in the initial frame to elongations that the "

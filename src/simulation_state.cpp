@@ -17,10 +17,8 @@ ParticleMethod particle_method_of(const Deck& deck) {
   ParticleMethod m;
   m.correction = deck.particles.correction;
   m.correct_forces = deck.particles.correct_forces;
-  m.reconstruct_viscosity = deck.particles.viscosity_form == "reconstructed";
   m.viscosity_linear = Real(deck.particles.viscosity_linear);
   m.viscosity_quadratic = Real(deck.particles.viscosity_quadratic);
-  m.hourglass_viscosity = Real(deck.particles.hourglass_viscosity);
   m.hourglass_stiffness = Real(deck.particles.hourglass_stiffness);
   m.spacing_ratio = Real(1 / deck.particles.smoothing_ratio);
   m.mass_factor = Real(deck.run.mass_factor);

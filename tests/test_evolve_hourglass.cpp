@@ -23,7 +23,7 @@ void set_vectors(const VectorField& field, const VectorField& position, Function
 ParticleBlock stiff_block(Real disorder) {
   ParticleBlock b = particle_block(12, 12, 12, Real(1e-6), disorder);
   b.method.hourglass_stiffness = 1;
-  b.method.hourglass_viscosity = b.method.viscosity_linear = 0;
+  b.method.viscosity_linear = 0;
   build_lists(b);
   return b;
 }

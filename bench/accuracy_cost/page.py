@@ -116,7 +116,7 @@ def hourglass_over_spacing(rows):
     listed = ", ".join(f"{100 * share:.1f} % at {spacing:.3g} um" for spacing, share in reversed(series))
     stays = series[0][1] > 0.5 * series[-1][1]
     others = ", ".join(f"{row['label']} {100 * row['hourglass_share']:.1f} %" for row in rows
-                       if row["group"] in ("hourglass", "hourglass stiffness", "correction", "smoothing length"))
+                       if row["group"] in ("hourglass stiffness", "correction", "smoothing length"))
     return (f"Of the external work the hourglass control takes {listed}"
             + (": it does not vanish with the spacing, so the reference shares it" if stays else "") + ". "
             + (f"With other settings: {others}." if others else ""))

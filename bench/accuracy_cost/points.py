@@ -69,9 +69,9 @@ MEAN_OF = {"spacing": "mean of three", "together": "together, mean of three",
            STIFFNESS_0: "stiffness 0, mean of three"}  # groups that have such points
 
 
-# Each was stable alone; together they ask most of the stable step, which counts the viscosities and the hourglass
+# Each was stable alone; together they ask most of the stable step, which counts the viscosity and the hourglass
 # stiffness, but not what the corrected gradient of a strained chip adds.
-AT_LIMIT = (("courant 0.9", "h/dx 1.0"), ("courant 0.9", "viscosity 1", "hourglass 1"))
+AT_LIMIT = (("courant 0.9", "h/dx 1.0"), ("courant 0.9", "viscosity 1"))
 
 
 def thicknesses(point, group):
@@ -104,10 +104,6 @@ METHOD = [
     ("viscosity", "viscosity 0", setter("particles", viscosity_linear=0.0), ALWAYS),
     ("viscosity", "viscosity 0.5", setter("particles", viscosity_linear=0.5), FULL),
     ("viscosity", "viscosity 1", setter("particles", viscosity_linear=1.0), ORTHOGONAL),
-    ("viscosity form", "viscosity of Monaghan", setter("particles", viscosity_form="monaghan"), ORTHOGONAL),
-    ("hourglass", "hourglass 0", setter("particles", hourglass_viscosity=0.0), ALWAYS),
-    ("hourglass", "hourglass 0.1", setter("particles", hourglass_viscosity=0.1), FULL),
-    ("hourglass", "hourglass 1", setter("particles", hourglass_viscosity=1.0), ORTHOGONAL),
     ("hourglass stiffness", "stiffness 0", setter("particles", hourglass_stiffness=0.0), ALWAYS),
     ("hourglass stiffness", "stiffness 0.1", setter("particles", hourglass_stiffness=0.1), ALWAYS),
     ("hourglass stiffness", "stiffness 1", setter("particles", hourglass_stiffness=1.0), ALWAYS),

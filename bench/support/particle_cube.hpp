@@ -104,8 +104,7 @@ inline ParticleCube make_particle_cube(int64_t size) {
   p.hourglass_displacement = VectorField("hourglass_displacement", p.count);
   p.hourglass_rate = VectorField("hourglass_rate", p.count);
   p.pressure_state = View<Real* [4]>("pressure_state", p.count);
-  c.method.viscosity_linear = Real(0.2), c.method.viscosity_quadratic = 1;
-  c.method.hourglass_viscosity = Real(0.3);
+  c.method.viscosity_linear = Real(0.3), c.method.viscosity_quadratic = 1;
   test::build_lists(c);
   set_state(c);
   velocity_gradient(p, c.neighbors, c.method);

@@ -17,11 +17,10 @@ namespace swarf {
 
 // Choices of the particle sums that hold for a whole run.
 struct ParticleMethod {
-  bool correction = true;            // Randles-Libersky gradient correction
-  bool correct_forces = true;        // the adjoint of it in the forces
-  bool reconstruct_viscosity = true; // viscosity sees only what a linear velocity field does not explain
-  Real viscosity_linear = 0, viscosity_quadratic = 0;
-  Real hourglass_viscosity = 0; // times Z: damps motion that the velocity gradient does not see
+  bool correction = true;     // Randles-Libersky gradient correction
+  bool correct_forces = true; // the adjoint of it in the forces
+  Real viscosity_linear = 0;  // times Z: damps motion that the velocity gradient does not see
+  Real viscosity_quadratic = 0;
   Real hourglass_stiffness = 0; // times the shear modulus: resists the same motion
   Real spacing_ratio = 0;       // spacing / h of the initial lattice
   Real mass_factor = 1;

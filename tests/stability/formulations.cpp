@@ -7,12 +7,11 @@ namespace {
 
 using test::shipped_defaults;
 
-// Textbook updated Lagrangian: plain sums, viscosity on the whole difference of velocity, nothing else.
+// Updated Lagrangian with plain sums and a viscosity, nothing else.
 void plain(Deck& deck) {
   deck.particles = shipped_defaults().particles;
   deck.particles.correction = deck.particles.correct_forces = false;
-  deck.particles.viscosity_form = "monaghan";
-  deck.particles.hourglass_viscosity = deck.particles.hourglass_stiffness = 0;
+  deck.particles.hourglass_stiffness = 0;
   deck.particles.shifting = false;
 }
 
@@ -42,11 +41,11 @@ void cutting(Deck& deck) {
   deck.particles = cut.particles;
 }
 
-Formulation total_lagrangian(const std::string& name, const std::string& text, double hourglass_viscosity,
+Formulation total_lagrangian(const std::string& name, const std::string& text, double viscosity,
                              double hourglass_stiffness) {
   return {name, text, "particles", false, false, [=](Deck& d) {
             defaults(d);
-            d.particles.kernel_frame = "initial", d.particles.hourglass_viscosity = hourglass_viscosity;
+            d.particles.kernel_frame = "initial", d.particles.viscosity_linear = viscosity;
             d.particles.hourglass_stiffness = hourglass_stiffness;
           }};
 }
@@ -54,22 +53,18 @@ Formulation total_lagrangian(const std::string& name, const std::string& text, d
 std::vector<Formulation> make() {
   const Change none = [](ParticlesDeck&) {};
   const Change pressure_diffusion = [](ParticlesDeck& p) { p.pressure_diffusion = 0.003; };
-  const Change hourglass_viscosity = [](ParticlesDeck& p) { p.hourglass_viscosity = 0.3; };
-  const Change reconstructed = [](ParticlesDeck& p) { p.viscosity_form = "reconstructed"; };
   const auto hourglass_stiffness = [](double share) {
     return [=](ParticlesDeck& p) { p.hourglass_stiffness = share; };
   };
   const std::string stiffness = "hexes, stiffness hourglass control",
                     viscous = "hexes, viscous hourglass control";
   return {
-      changed("plain", "plain sums, Monaghan viscosity", plain, none),
+      changed("plain", "plain sums", plain, none),
       changed("corrected", "corrected gradient, forces its adjoint", corrected, none),
       changed("pressure_diffusion", "corrected + pressure diffusion 0.003", corrected, pressure_diffusion),
-      changed("hourglass_viscosity", "corrected + hourglass viscosity 0.3", corrected, hourglass_viscosity),
       changed("hourglass_stiffness", "corrected + hourglass stiffness 0.3", corrected,
               hourglass_stiffness(0.3)),
       changed("shifting", "corrected + shifting", corrected, [](ParticlesDeck& p) { p.shifting = true; }),
-      changed("reconstructed", "corrected + reconstructed viscosity", corrected, reconstructed),
       changed("defaults", "shipped defaults", defaults, none),
       changed("defaults_pressure_diffusion", "defaults + pressure diffusion 0.003", defaults,
               pressure_diffusion),
@@ -78,10 +73,9 @@ std::vector<Formulation> make() {
       changed("cutting", "as the cutting decks", cutting, none),
       changed("cutting_unshifted", "as the cutting decks, without shifting", cutting,
               [](ParticlesDeck& p) { p.shifting = false; }),
-      total_lagrangian("total_lagrangian", "total Lagrangian", 0, 0),
-      total_lagrangian("total_lagrangian_viscous", "total Lagrangian + hourglass viscosity 0.3", 0.3, 0),
-      total_lagrangian("total_lagrangian_stiff", "total Lagrangian + hourglass viscosity, stiffness 0.3", 0.3,
-                       0.3),
+      total_lagrangian("total_lagrangian", "total Lagrangian without viscosity", 0, 0),
+      total_lagrangian("total_lagrangian_viscous", "total Lagrangian + viscosity 0.3", 0.3, 0),
+      total_lagrangian("total_lagrangian_stiff", "total Lagrangian + viscosity, stiffness 0.3", 0.3, 0.3),
       {"hexes_stiffness", stiffness + " (shipped)", "hexes", false, true,
        [](Deck& d) { hexes(d, "stiffness", false); }},
       {"hexes_viscous", viscous, "hexes", false, true, [](Deck& d) { hexes(d, "viscous", false); }},

@@ -20,7 +20,8 @@ const std::vector<Test>& tests() {
       {"plate", "bending: plate", "a clamped plate, 40 x 4 cells, its tip started at 0.05 c0, one period",
        pairing, Kind::elastic, false, bend_plate},
       {"zero_energy", "zero-energy mode",
-       "a checkerboard in an endless block, without shock viscosity: of velocities, 1e-3 c; and driven to a "
+       "a checkerboard in an endless block, without viscosity of shocks: of velocities, 1e-3 c; and driven "
+       "to a "
        "twentieth of the spacing and let go",
        "No velocity gradient in one point sees it. A viscosity only slows it down; what holds it has a "
        "stiffness.",
@@ -31,7 +32,7 @@ const std::vector<Test>& tests() {
        "grows is the pairing in the tension of the spin.",
        Kind::elastic, false, spin_plate},
       {"disorder", "disorder", "a plate of 12 x 12 points a fifth of a spacing off their lattice vibrates",
-       "On a lattice out of order sums of first order make noise that only the hourglass viscosity damps.",
+       "On a lattice out of order sums of first order make noise that only the viscosity damps.",
        Kind::elastic, false, disturb_lattice},
       {"contact", "contact, fast",
        "a block meets a wall obliquely at 60 m/s, ten times the verification's speed, friction 0.5",
@@ -51,7 +52,7 @@ const std::vector<Test>& tests() {
       {"viscosity", "viscosity",
        "the same under mass factor 1e4, linear viscosity 0 to 2, the quadratic one twice that; and the time "
        "step at 2",
-       "Particles: as under the mass factor; reconstructed, it acts where the velocity is not linear only. "
+       "Particles: as under the mass factor; it acts only where the velocity is not linear. "
        "The stable step takes the viscosity into account: Courant numbers mean as much with it as without.",
        Kind::plastic, false, raise_viscosity},
       {"pull_metal", "plastic tension",

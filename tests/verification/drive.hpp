@@ -50,7 +50,6 @@ struct Stabiliser {
 inline Deck undamped() {
   Deck deck = shipped_defaults();
   deck.particles.viscosity_linear = deck.particles.viscosity_quadratic = 0;
-  deck.particles.hourglass_viscosity = 0;
   deck.particles.pressure_diffusion = 0;
   deck.hexes.viscosity_linear = deck.hexes.viscosity_quadratic = 0;
   return deck;

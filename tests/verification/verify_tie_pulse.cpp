@@ -32,7 +32,6 @@ Deck bar(int ratio) {
   }
   for (BodyDeck& b : deck.bodies)
     for (const char* face : {"x_min", "x_max", "y_min", "y_max"}) b.faces.push_back({face, "periodic", {}});
-  deck.particles.viscosity_form = "reconstructed";
   deck.hexes.hourglass_coefficient = 0.05;
   deck.run.courant = ratio == 1 ? 0.4 : 0.4 / 1.2; // dt = 0.4 spacing / speed in all
   return deck;
