@@ -36,7 +36,9 @@ void smooth_velocity(const Particles& p, const Neighbors& n, const ConstraintTab
         const auto sum = sum_differences(p, n, cluster, lanes);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
-          const Vector3 v = load_vector(p.velocity, i) + epsilon * lane_of(sum, lane);
+          const Real share =
+              p.constraints(i) & follows_bit ? Real(0) : epsilon; // a held row stays with its face
+          const Vector3 v = load_vector(p.velocity, i) + share * lane_of(sum, lane);
           store_vector(p.drift_velocity, i, constrain(v, p.constraints(i), constraints));
         }
       });
