@@ -22,6 +22,13 @@ KOKKOS_INLINE_FUNCTION Tensor3 correction_from(const Tensor3& A) {
   return blend;
 }
 
+// Whether K is A^-1, not blended with 1.
+KOKKOS_INLINE_FUNCTION bool is_inverse(const Tensor3& K, const Tensor3& A) {
+  const Real trace = K.xx * A.xx + K.yy * A.yy + K.zz * A.zz + K.xy * A.yx + K.xz * A.zx + K.yx * A.xy +
+                     K.yz * A.zy + K.zx * A.xz + K.zy * A.yz;
+  return Kokkos::abs(trace - Real(3)) < Real(1e-3);
+}
+
 // To where the forces will have sigma K, and to where conduct_heat looks for it.
 KOKKOS_INLINE_FUNCTION void store_correction(const Particles& p, int i, const Tensor3& K) {
   store_tensor(p.pair_stress, i, K);

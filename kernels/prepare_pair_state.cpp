@@ -1,7 +1,7 @@
-// What a particle shows its neighbours in the force sum: P = sigma K, in the place of K, D = sym L, in the
-// place of L, and the impedance of the mass-scaled material. Once after each velocity_gradient. Reads points.
-// Writes rows [0, count + tied); V = m / rho, or m / rho_0 in the initial frame, where K is J F^-T K_0 and P
-// the first Piola-Kirchhoff stress.
+// What a particle shows its neighbours in the force sum: P = (sigma + t) K, in the place of K, t of
+// surface_stress.cpp, D = sym L, in the place of L, and the impedance of the mass-scaled material. Once after
+// each velocity_gradient. Reads points. Writes rows [0, count + tied); V = m / rho, or m / rho_0 in the
+// initial frame, where K is J F^-T K_0 and P the first Piola-Kirchhoff stress.
 #include "swarf/kernels.hpp"
 #include "swarf/stress_update.hpp"
 
@@ -10,12 +10,15 @@ namespace swarf {
 void prepare_pair_state(const Particles& p, const MaterialTable& materials, const ParticleMethod& method) {
   const MaterialPoints points = p.points;
   const bool correct = method.correct_forces, initial = method.initial_frame;
+  const bool surfaces = p.surface_term.extent(0) > 0;
   const Real mass_factor = method.mass_factor;
   Kokkos::parallel_for(
       "prepare_pair_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
         const Symmetric3 stress = load_symmetric(points.stress, i);
         const Tensor3 K = correct ? load_tensor(p.pair_stress, i) : identity3();
-        store_tensor(p.pair_stress, i, multiply(to_tensor(stress), K));
+        Tensor3 shown = to_tensor(stress);
+        if (surfaces) shown = shown + load_tensor(p.surface_term, i);
+        store_tensor(p.pair_stress, i, multiply(shown, K));
         const Symmetric3 D = symmetric_part(load_tensor(points.velocity_gradient, i));
         store_tensor(points.velocity_gradient, i, to_tensor(D));
         const Real density = points.density(i) * mass_factor;

@@ -28,6 +28,7 @@ SWARF_FN void still(const Particles& p, int i) {
   store_vector(p.velocity, i, {0, 0, 0});
   if (p.hourglass_rate.extent(0) > 0) store_vector(p.hourglass_rate, i, {0, 0, 0});
   if (p.heat_state.extent(0) > 0) p.heat_state(i, 1) = 0;
+  if (p.surface_shift.extent(0) > 0) p.surface_shift(i, 0) = 0;
   p.points.plastic_strain_rate(i) = 0;
 }
 

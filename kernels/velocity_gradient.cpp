@@ -1,9 +1,11 @@
 // L_i = [sum_j V_j (v_j - v_i) (x) grad W_ij] K_i,  K_i = [sum_j V_j (x_j - x_i) (x) grad W_ij]^-1
 // Randles & Libersky (1996): exact for a linear velocity field on any set of neighbours.
 // Reads position, velocity, volume, inverse_support. Writes velocity_gradient, K to pair_stress and
-// heat_shape, rows [0, count + tied), and the lists' marks.
+// heat_shape, how far neighbours lack to surface_shift (tied particles have no surface), rows [0, count +
+// tied), and the lists' marks.
 #include "correction.hpp"
 #include "swarf/pair.hpp"
+#include "swarf/surface.hpp"
 
 namespace swarf {
 namespace {
@@ -68,7 +70,7 @@ KOKKOS_FORCEINLINE_FUNCTION GradientSums sum_neighbors(const Particles& p, const
 } // namespace
 
 void velocity_gradient(const Particles& p, const Neighbors& n, const ParticleMethod& method) {
-  const bool correct = method.correction;
+  const bool correct = method.correction, surfaces = p.surface_shift.extent(0) > 0;
   Kokkos::parallel_for(
       "velocity_gradient", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};
@@ -78,6 +80,8 @@ void velocity_gradient(const Particles& p, const Neighbors& n, const ParticleMet
           const Tensor3 A = to_tensor(lane_of(s.A, lane));
           const Tensor3 K = correct ? correction_from(A) : identity3();
           store_correction(p, i, K);
+          if (surfaces)
+            p.surface_shift(i, 0) = i < p.count && is_inverse(K, A) ? lacking_neighbors(A) : Real(0);
           store_tensor(p.points.velocity_gradient, i, multiply(lane_of(s.L, lane), K));
         }
       });

@@ -1,6 +1,7 @@
 #include "src/faces.hpp"
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -68,7 +69,7 @@ class Collector {
   Faces collect() {
     std::size_t particles = 0, nodes = 0;
     for (const FilledBody& b : bodies) particles += b.points.position.size(), nodes += b.hexes.node.size();
-    faces.particle_bits.assign(particles, 0);
+    faces.particle_bits.assign(particles, 0), faces.particle_host.assign(particles, -1);
     faces.node_bits.assign(nodes, 0);
     for (const FilledBody& b : bodies) {
       hold_faces(b);
@@ -76,6 +77,7 @@ class Collector {
         b.has_particles() || b.deck->converts() ? add_planes(b, low, high) : void();
       if (!b.has_particles()) couple_faces(b);
     }
+    let_rows_follow();
     check_tied_faces();
     check_all_inside();
     return std::move(faces);
@@ -98,10 +100,10 @@ class Collector {
     const auto at = std::find_if(rows.begin(), rows.end(), same);
     const std::size_t bit = std::size_t(at - rows.begin());
     if (at == rows.end()) rows.push_back(row);
-    if (bit >= 29) // the others say what a particle does
+    if (bit >= 28) // the others say what a particle does
       reject(
           deck, *body.deck, "faces." + face.face,
-          "is the 30th different hold: expected at most 29. Hold fewer faces, or give them equal velocities");
+          "is the 29th different hold: expected at most 28. Hold fewer faces, or give them equal velocities");
     return 1u << bit;
   }
 
@@ -121,7 +123,25 @@ class Collector {
       auto& bits = body.has_particles() ? faces.particle_bits : faces.node_bits;
       if (const auto at = members.find(face.face); at != members.end())
         for (int member : at->second) bits[std::size_t(body.first + member)] |= bit;
+      if (const auto at = body.points.behind.find(face.face);
+          all && body.has_particles() && at != body.points.behind.end())
+        for (std::size_t k = 0; k < at->second.size(); ++k)
+          if (at->second[k] >= 0)
+            faces.particle_host[std::size_t(body.first + members.at(face.face)[k])] =
+                body.first + at->second[k];
     }
+  }
+
+  // Where held faces meet, the row itself is held.
+  void let_rows_follow() {
+    std::vector<unsigned> follows(faces.particle_bits.size(), 0);
+    for (std::size_t i = 0; i < follows.size(); ++i) {
+      int& host = faces.particle_host[i];
+      if (host < 0) continue;
+      if (faces.particle_bits[std::size_t(host)] != 0 || std::popcount(faces.particle_bits[i]) > 1) host = -1;
+      if (host >= 0) follows[i] = follows_bit;
+    }
+    for (std::size_t i = 0; i < follows.size(); ++i) faces.particle_bits[i] |= follows[i];
   }
 
   bool has_plane(const ImagePlane& p) const {

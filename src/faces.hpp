@@ -8,12 +8,14 @@ namespace swarf {
 struct Faces {
   std::vector<Constraint> constraints;
   std::vector<unsigned> particle_bits, node_bits; // bit b: row b of constraints
+  std::vector<int> particle_host;                 // that a particle of a held row follows, or -1
   std::vector<ImagePlane> planes;                 // of particles
   std::vector<Transform> transforms;              // of nodes: from the master's place to the slave's
   std::vector<std::array<int, 3>> coupled_nodes;  // master, slave, transform
 };
 
 // fixed, velocity: all components of the nodes on the face, or of the first layer of particles.
+// A row of particles that has another behind it follows the face and that (held_rows.hpp).
 // symmetric: the normal component of the nodes; a mirror for particles.
 // periodic: couples of nodes; a pair of planes for particles. Each direction of a body couples all nodes of
 // its two faces by one transform of its own, so that a node where periodic faces meet is coupled once per

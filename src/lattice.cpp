@@ -112,15 +112,24 @@ void mark_faces(PointSet& set, const Shape& shape, const Index& i, const Point& 
     const double pitch = 2 * shape.body->outer_radius / shape.cells[0];
     const Point centre(shape.body->origin[0], shape.body->origin[1], shape.body->origin[2]);
     const double r = (x - centre).norm();
-    if (r > shape.body->outer_radius - pitch) set.faces["outer"].push_back(row);
-    if (r < shape.body->inner_radius + pitch) set.faces["inner"].push_back(row);
+    if (r > shape.body->outer_radius - pitch)
+      set.faces["outer"].push_back(row), set.behind["outer"].push_back(-1);
+    if (r < shape.body->inner_radius + pitch)
+      set.faces["inner"].push_back(row), set.behind["inner"].push_back(-1);
     return;
   }
   const Index n = Cells(shape).count();
-  for (int d = 0; d < 3; ++d) {
-    if (i[d] == 0 && !names[d][0].empty()) set.faces[names[d][0]].push_back(row);
-    if (i[d] == n[d] - 1 && !names[d][1].empty()) set.faces[names[d][1]].push_back(row);
-  }
+  // In the order of visit_cells. Rings of a cylinder have different numbers of cells.
+  const bool round = shape.body->shape == "cylinder";
+  const Index stride = round ? Index{0, 1, 0} : Index{n[1] * n[2], n[2], 1};
+  for (int d = 0; d < 3; ++d)
+    for (const bool high : {false, true}) {
+      const std::string& name = names[d][high];
+      if (name.empty() || i[d] != (high ? n[d] - 1 : 0)) continue;
+      const bool has_next = stride[d] > 0 && n[d] >= 3;
+      set.faces[name].push_back(row);
+      set.behind[name].push_back(has_next ? row + (high ? -stride[d] : stride[d]) : -1);
+    }
 }
 
 double sum(const std::vector<double>& values) {

@@ -18,6 +18,7 @@ struct PointSet {
   std::vector<double> volume;  // m3
   std::vector<double> gap;     // m, from the particle to its own surface
   FaceMembers faces;
+  FaceMembers behind; // of those members, in the same order: the next inwards; -1: there is none
   double spacing = 0; // m, cube root of the mean volume
 };
 PointSet fill_points(const Shape& shape);

@@ -4,9 +4,11 @@
 #include "src/tool_geometry.hpp"
 #include "src/upload.hpp"
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
 
 namespace swarf {
 
@@ -64,6 +66,27 @@ std::vector<FilledBody> fill_bodies(const Deck& deck) {
     bodies.push_back(std::move(filled));
   }
   return bodies;
+}
+
+// Particles have the identity of their row.
+HeldRows make_held_rows(const Faces& faces) {
+  std::map<int, std::vector<int>> of_host;
+  for (std::size_t i = 0; i < faces.particle_host.size(); ++i)
+    if (faces.particle_host[i] >= 0) of_host[faces.particle_host[i]].push_back(int(i));
+  std::vector<int> host, start{0}, held, face;
+  for (const auto& [at, particles] : of_host) {
+    host.push_back(at);
+    for (const int i : particles)
+      held.push_back(i), face.push_back(std::countr_zero(faces.particle_bits[std::size_t(i)]));
+    start.push_back(int(held.size()));
+  }
+  const int rows = host.empty() ? 0 : int(faces.particle_host.size());
+  return {int(host.size()),
+          upload("held_rows.host", host),
+          upload("held_rows.start", start),
+          upload("held_rows.held", held),
+          upload("held_rows.face", face),
+          IndexField("held_rows.row", rows)};
 }
 
 // Particles sharing a plane's images need the largest support of all.
@@ -167,6 +190,7 @@ Scene build_scene(const Deck& deck) {
                                                  [&](auto& f, int t) { f(t) = faces.transforms[t]; });
   scene.constraints = upload<ConstraintTable>("constraints", int(faces.constraints.size()),
                                               [&](auto& f, int c) { f(c) = faces.constraints[c]; });
+  scene.held_rows = make_held_rows(faces);
   if (deck.tool) {
     add_tool(deck, bodies, scene);
     check_tool_outside(deck, scene);

@@ -2,6 +2,7 @@
 #pragma once
 #include "src/deck.hpp"
 #include "swarf/cell_order.hpp"
+#include "swarf/held_rows.hpp"
 #include "swarf/hex_mesh.hpp"
 #include "swarf/particles.hpp"
 #include "swarf/tie.hpp"
@@ -24,6 +25,7 @@ struct Scene {
   std::vector<ImagePlane> image_planes; // host; even count, at most max_image_planes
   TransformTable node_transforms;       // of hexes.coupled_nodes
   ConstraintTable constraints;
+  HeldRows held_rows;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
   Tool tool;
   double spacing = 0;      // of the finest particles, m; 0 without particles

@@ -1,5 +1,6 @@
 #include "src/scene_parts.hpp"
 #include "src/upload.hpp"
+#include <bit>
 #include <cmath>
 
 namespace swarf {
@@ -61,6 +62,8 @@ bool uses(const Deck& deck, Method method) {
     return bool(deck.sleep.distance);
   case Method::with_summation:
     return set.density == "summation";
+  case Method::with_surface_gradient:
+    return set.correction && set.correct_forces && !initial;
   }
   return false;
 }
@@ -94,8 +97,14 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   };
   const auto density = [&](const Row& r) { return deck.materials[std::size_t(r.material)].density; };
   p.position = upload<VectorField>("position", n, vector([](const Row& r) { return r.position; }));
-  p.velocity =
-      upload<VectorField>("velocity", n, vector([](const Row& r) { return r.body->deck->velocity; }));
+  p.velocity = upload<VectorField>("velocity", n, [&](auto& f, int i) {
+    Vector3 v = to_vector3(rows[std::size_t(i)].body->deck->velocity);
+    if (i < p.count && faces.particle_host[std::size_t(i)] >= 0) { // as hold_faces will keep it
+      const auto face = std::size_t(std::countr_zero(faces.particle_bits[std::size_t(i)]));
+      v = (1 - held_share) * faces.constraints[face].velocity + held_share * v;
+    }
+    store_vector(f, i, v);
+  });
   p.volume = upload<ScalarField>("volume", n, scalar([](const Row& r) { return r.volume; }));
   p.inverse_support = upload<ScalarField>(
       "inverse_support", n,

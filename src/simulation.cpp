@@ -59,6 +59,8 @@ void Simulation::kick_half() {
   const Real half = Real(0.5 * step_size);
   kick(motion_of(model.particles), model.constraints, gravity, Real(mass_factor), half);
   kick(motion_of(model.hexes), model.constraints, gravity, Real(mass_factor), half);
+  hold_faces(model.held_rows, motion_of(model.particles), model.constraints,
+             {gravity, Real(mass_factor), half});
   couple_nodes(model.hexes, model.node_transforms, false);
 }
 
@@ -89,6 +91,7 @@ void Simulation::shift() {
 void Simulation::rebuild_lists() {
   wrap_periodic(model.particles, model.image_planes, status);
   sort_particles(model.particles, model.lattice);
+  find_held_rows(model.held_rows, model.particles);
   project_tie(model.tie, model.particles, model.hexes);
   make_images(model.particles, lists, model.image_planes);
   find_neighbors(lists, model.particles);
@@ -109,6 +112,7 @@ void Simulation::update_rates_and_stresses() {
     reference_gradient(model.particles, lists);
   else
     velocity_gradient(model.particles, lists, particle_method);
+  if (has_surfaces()) correct_surface(model.particles, lists, model.image_planes);
   timer.mark("velocity gradient");
   hex_velocity_gradient(model.hexes, hex_status);
   timer.mark("hexes");
@@ -137,6 +141,7 @@ void Simulation::compute_forces() {
   if (deck.particles.hourglass_stiffness > 0 && !particle_method.initial_frame)
     evolve_hourglass(model.particles, model.materials, dt);
   if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles);
+  if (has_surfaces()) surface_stress(model.particles, lists, model.image_planes);
   prepare_pair_state(model.particles, model.materials, particle_method);
   update_image_state(model.particles, lists, model.image_planes);
   timer.mark("tie and images");

@@ -76,6 +76,7 @@ class Simulation {
   bool shifts() const {
     return deck.particles.shifting && model.particles.count > 0 && !particle_method.initial_frame;
   }
+  bool has_surfaces() const { return model.particles.surface_shift.extent(0) > 0; }
   double shift_way() const { return model.spacing / 16; } // m, of the tool between two shifts
   StableStep limit_step();
   void check_status();                           // throws SimulationFault

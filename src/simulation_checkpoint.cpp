@@ -91,6 +91,7 @@ void Simulation::read_state(const CheckpointReader& in) {
   VectorField current;
   in.get("particles/position", current);
   find_tied_rows(model.tie, p);
+  find_held_rows(model.held_rows, p);
   const auto rows = std::make_pair(0, p.stored);
   Kokkos::deep_copy(Kokkos::subview(p.position, rows, Kokkos::ALL), current);
 

@@ -92,6 +92,7 @@ void Simulation::rest() {
   }
   action = with_images(action, image_maps(model));
   rest_particles(model.particles, model.tie, action, sleep);
+  find_held_rows(model.held_rows, model.particles);
   rest_hexes(model.hexes, model.node_transforms, action, sleep);
   rest_due = false, others_sleep = true, rested_at = now;
   next_check = std::min(next_check, steps + 1); // what wakes may ask for a shorter step

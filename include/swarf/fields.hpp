@@ -32,6 +32,8 @@ enum class Images {
   in_diffuse_pressure,
   in_conduct_heat,
   in_find_shifts,
+  in_surface_gradient,
+  in_surface_stress,
 };
 
 // What it is there for; without it, it has 0 rows.
@@ -44,6 +46,7 @@ enum class Method {
   with_shifting,
   with_sleep,
   with_summation,
+  with_surface_gradient,
 };
 
 // Particles are elements, like hexes.

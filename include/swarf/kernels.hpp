@@ -4,6 +4,7 @@
 #include "swarf/cell_order.hpp"
 #include "swarf/contact_points.hpp"
 #include "swarf/conversion.hpp"
+#include "swarf/held_rows.hpp"
 #include "swarf/hex_mesh.hpp"
 #include "swarf/neighbors.hpp"
 #include "swarf/particles.hpp"
@@ -47,9 +48,11 @@ void update_image_state(const Particles&, const Neighbors&, const ImagePlanes&);
 
 // --- particles
 void velocity_gradient(const Particles&, const Neighbors&, const ParticleMethod&); // L_i and K_i
-void reference_gradient(const Particles&, const Neighbors&);                // the same in the initial frame
-void sum_density(const Particles&, const Neighbors&, const MaterialTable&); // density by summation
-void evolve_smoothing_length(const Particles&);                             // before the next
+void reference_gradient(const Particles&, const Neighbors&);                  // the same in the initial frame
+void correct_surface(const Particles&, const Neighbors&, const ImagePlanes&); // of second order
+void surface_stress(const Particles&, const Neighbors&, const ImagePlanes&);  // its adjoint
+void sum_density(const Particles&, const Neighbors&, const MaterialTable&);   // density by summation
+void evolve_smoothing_length(const Particles&);                               // before the next
 void prepare_pair_state(const Particles&, const MaterialTable&, const ParticleMethod&);
 void evolve_hourglass(const Particles&, const MaterialTable&, Real dt); // hourglass_displacement
 void particle_forces(const Particles&, const Neighbors&, const ParticleMethod&, Real dt);
@@ -125,6 +128,12 @@ struct Motion { // a set of points that Newton's law moves: particles or nodes
   View<unsigned*> constraints;
 };
 void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
+void find_held_rows(const HeldRows&, const Particles&); // held.row
+struct Kick {                                           // that was the last
+  Vector3 gravity;
+  Real mass_factor, dt;
+};
+void hold_faces(const HeldRows&, const Motion&, const ConstraintTable&, const Kick&);
 void drift(const Motion&, Real dt);
 void absorb_waves(const Motion&, const ScalarField& damping, Real mass_factor, Real dt);
 

@@ -52,7 +52,7 @@ struct MaterialPoints {
   ScalarField internal_work;             // J, integral of V stress : D dt
   ScalarField plastic_work;              // J, the plastic part of it
 
-  // The table of these fields (fields.hpp). Where velocity_gradient is turned, it is the D of a particle.
+  // The table of these fields (fields.hpp).
   template <class Self, class Visit>
   SWARF_FN static void list_fields(Self& p, const Visit& visit) {
     using enum Frame;
@@ -62,8 +62,9 @@ struct MaterialPoints {
     visit("material", p.material, Facts<history, in_find_shifts>());
     visit("mass", p.mass, Facts<history>());
     visit("density", p.density, Facts<history, transported>());
-    visit("velocity_gradient", p.velocity_gradient, Facts<symmetric, history, before_forces>());
-    visit("stress", p.stress, Facts<symmetric, history, transported>());
+    visit("velocity_gradient", p.velocity_gradient,
+          Facts<tensor, history, in_surface_gradient, before_forces>());
+    visit("stress", p.stress, Facts<symmetric, history, transported, in_surface_stress>());
     visit("equivalent_plastic_strain", p.equivalent_plastic_strain, Facts<history, keeps_mass_sum>());
     visit("plastic_strain_rate", p.plastic_strain_rate, Facts<history>());
     visit("temperature", p.temperature, Facts<history, keeps_heat_sum>());

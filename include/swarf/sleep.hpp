@@ -28,6 +28,10 @@ struct Sleep {
 // Bit of Particles::constraints and HexMesh::constraints: the point is held at velocity 0.
 inline constexpr unsigned held_bit = 1u << 31;
 
+// Bit of Particles::constraints: a row at a held face that moves with the face and the next row
+// (held_rows.hpp).
+inline constexpr unsigned follows_bit = 1u << 28;
+
 // Values of HexMesh::active.
 inline constexpr int hex_deleted = 0, hex_active = 1, hex_asleep = 2;
 

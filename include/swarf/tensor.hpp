@@ -83,6 +83,9 @@ SWARF_FN Tensor3Of<S> operator+(const Tensor3Of<S>& a, const Tensor3Of<S>& b) {
   return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yx + b.yx, a.yy + b.yy,
           a.yz + b.yz, a.zx + b.zx, a.zy + b.zy, a.zz + b.zz};
 }
+SWARF_FN Tensor3 operator*(Real s, const Tensor3& a) {
+  return {s * a.xx, s * a.xy, s * a.xz, s * a.yx, s * a.yy, s * a.yz, s * a.zx, s * a.zy, s * a.zz};
+}
 template <class S>
 SWARF_FN Vector3Of<S> multiply(const Tensor3Of<S>& a, const Vector3Of<S>& v) {
   return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.yx * v.x + a.yy * v.y + a.yz * v.z,

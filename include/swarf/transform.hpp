@@ -41,6 +41,7 @@ using ConstraintTable = View<Constraint*>;
 // Applies the constraints of `bits` to v. Faces that meet are taken in the order of their bits.
 SWARF_FN Vector3 constrain(Vector3 v, unsigned bits, const ConstraintTable& table) {
   if (bits & held_bit) return {0, 0, 0};
+  if (bits & follows_bit) return v; // hold_faces comes after
   for (int b = 0; bits != 0; ++b, bits >>= 1) {
     if (!(bits & 1u)) continue;
     const Constraint& c = table(b);

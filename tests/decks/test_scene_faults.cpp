@@ -161,5 +161,5 @@ TEST(SceneFaults, too_many_planes_and_holds) {
     deck.bodies.push_back(block("b", "hexes", {0, 3e-3 * n, 0}, {1e-3, 1e-3, 1e-3}, 1e-3));
     deck.bodies.back().faces = {{"x_min", "velocity", {double(n), 0, 0}}};
   }
-  expect_fault(fault_of(deck), {"body.faces.x_min: \"b\" is the 30th different hold: expected at most 29"});
+  expect_fault(fault_of(deck), {"body.faces.x_min: \"b\" is the 29th different hold: expected at most 28"});
 }

@@ -22,6 +22,14 @@ inline void allocate(Particles& p, int rows) {
   });
 }
 
+// What a field holds now.
+template <class Field>
+Field copy_of(const Field& field) {
+  const Field copy(field.label(), field.extent(0));
+  Kokkos::deep_copy(copy, field);
+  return copy;
+}
+
 // Each of the first rows becomes value(what it is).
 template <class Function>
 void set_rows(const VectorField& field, int count, Function&& value) {

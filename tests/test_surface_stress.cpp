@@ -1,0 +1,68 @@
+// Forces at surfaces are the adjoint of the gradients there.
+#include "support/particle_block.hpp"
+#include <gtest/gtest.h>
+
+namespace swarf::test {
+
+constexpr Real round_off = Kokkos::Experimental::epsilon_v<Real>;
+
+struct Balance {
+  Vector3 force{0, 0, 0}, torque{0, 0, 0};
+  Real magnitude = 0, arm_magnitude = 0, force_power = 0, stress_power = 0, added_power = 0;
+};
+
+// Random stress and velocity on a disordered block with free surfaces.
+Balance balance_of_forces() {
+  ParticleBlock b = particle_block(9, 8, 7, Real(1e-3), Real(0.1));
+  Particles& p = b.particles;
+  p.surface_shift = View<Real* [4]>("surface_shift", p.count);
+  p.surface_term = TensorField("surface_term", p.count);
+  const auto s = host_copy(p.points.stress);
+  const auto v = host_copy(p.velocity);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<Real> u(-1, 1);
+  for (int i = 0; i < p.count; ++i) {
+    for (int c = 0; c < 6; ++c) s(i, c) = Real(1e9) * u(random);
+    for (int c = 0; c < 3; ++c) v(i, c) = 10 * u(random);
+  }
+  Kokkos::deep_copy(p.points.stress, s), Kokkos::deep_copy(p.velocity, v);
+  build_lists(b);
+  velocity_gradient(p, b.neighbors, b.method);
+  const auto plain = host_copy(copy_of(p.points.velocity_gradient));
+  correct_surface(p, b.neighbors, {});
+  const auto x = host_copy(p.position);
+  const auto L = host_copy(p.points.velocity_gradient);
+  const auto stress = host_copy(p.points.stress);
+  const auto velocity = host_copy(p.velocity);
+  surface_stress(p, b.neighbors, {});
+  prepare_pair_state(p, b.materials, b.method);
+  particle_forces(p, b.neighbors, b.method, Real(1));
+  const auto f = host_copy(p.force);
+  const auto V = host_copy(p.volume);
+  Balance sum;
+  for (int i = 0; i < p.count; ++i) {
+    const Vector3 f_i = load_vector(f, i), x_i = load_vector(x, i);
+    sum.force = sum.force + f_i, sum.torque = sum.torque + cross(x_i, f_i);
+    sum.magnitude += norm(f_i), sum.arm_magnitude += norm(x_i) * norm(f_i);
+    sum.force_power += dot(f_i, load_vector(velocity, i));
+    const Symmetric3 sigma = load_symmetric(stress, i);
+    const Real own = contract(sigma, symmetric_part(load_tensor(L, i)));
+    sum.stress_power += V(i) * own;
+    sum.added_power += V(i) * (own - contract(sigma, symmetric_part(load_tensor(plain, i))));
+  }
+  return sum;
+}
+
+TEST(SurfaceStress, ForcesDoTheWorkOfTheStresses) {
+  const Balance sum = balance_of_forces();
+  EXPECT_GT(std::abs(sum.added_power), Real(1e-3) * std::abs(sum.stress_power));
+  EXPECT_NEAR(sum.force_power, -sum.stress_power, 1e4 * round_off * std::abs(sum.stress_power));
+}
+
+TEST(SurfaceStress, KeepsLinearAndAngularMomentum) {
+  const Balance sum = balance_of_forces();
+  EXPECT_LT(norm(sum.force), 100 * round_off * sum.magnitude);
+  EXPECT_LT(norm(sum.torque), 100 * round_off * sum.arm_magnitude);
+}
+
+} // namespace swarf::test
