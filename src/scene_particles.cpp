@@ -63,6 +63,8 @@ bool uses(const Deck& deck, Method method) {
     return bool(deck.sleep.distance);
   case Method::with_summation:
     return set.density == "summation";
+  case Method::with_tool_heat:
+    return deck.tool && !deck.tool->material.empty();
   case Method::with_xsph:
     return set.xsph > 0;
   }

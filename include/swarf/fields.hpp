@@ -45,6 +45,7 @@ enum class Method {
   with_shifting,
   with_sleep,
   with_summation,
+  with_tool_heat,
   with_xsph,
 };
 
