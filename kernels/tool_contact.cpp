@@ -1,9 +1,11 @@
 // f = k (gap - d) n + f_t for every point nearer to the tool's surface than its gap; respond_to_contact gives
 // f_t and the energies. The slip is measured against the moving surface at the point itself, so that a point
 // that moves with the tool does not slip. No friction is more than the shear that the material at the point
-// carries. Friction heat: dT = share W / (m c), m without mass scaling. Reads position, velocity (half a step
-// back), mass, gap, area, material; writes contact_force, friction_force, contact_energy; adds to force,
-// friction_work, temperature.
+// carries. Friction heat: a share of it heats the point, dT = share W / (m c), m without mass scaling; where
+// the tool conducts it divides by itself (heat_into_tool). Reads position, velocity (half a step back), mass,
+// gap, area, material; writes contact_force, friction_force, contact_energy, tool_cell; adds to force,
+// friction_work, temperature or heat, heat_to_tool.
+#include "swarf/heat.hpp"
 #include "swarf/johnson_cook.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/signed_distance.hpp"
@@ -19,12 +21,36 @@ SWARF_FN void store_contact(const ContactPoints& points, int i, const ContactRes
   points.contact_energy(i) = response.energy;
 }
 
+// A thousandth of a cell below the surface: on the surface itself round-off would choose between cells.
+SWARF_FN int cell_below(const ToolHeat& heat, const ToolDistance& at) {
+  return find_tool_cell(heat, at.point - (Real(1e-3) * heat.finest) * at.normal);
+}
+
+// Half a particle of the work, the interface, and the tool down to the middle of its cell; a node lies on the
+// surface itself. A point that has just parted leaves the work of its spring where it touched last, in no
+// time.
+SWARF_FN Real heat_to_tool(const ContactPoints& points, int i, const ToolHeat& heat, const ContactLaw& law,
+                           const Material& mat, Real made, Real dt) {
+  const bool is_node = points.heat.extent(0) > 0;
+  const Real area = points.area(i), half_interface = Real(0.5) * law.heat_resistance;
+  const int cell = points.tool_cell(i);
+  HeatContact at;
+  at.work_capacity = is_node ? points.heat_capacity(i) : heat_capacity(mat, points.mass(i));
+  at.work_temperature =
+      points.temperature(i) + (is_node ? points.heat(i) / points.heat_capacity(i) : Real(0));
+  at.tool_temperature = heat.temperature(cell);
+  at.work_resistance = (half_interface + (is_node ? Real(0) : points.gap(i) / mat.conductivity)) / area;
+  at.tool_resistance = (half_interface + heat.depth(cell) / heat.conductivity) / area;
+  return heat_into_tool(at, made, dt);
+}
+
 } // namespace
 
 void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose& pose, const ContactLaw& law,
                   const MaterialTable& materials, Real mass_factor, Real dt) {
   const ToolFrame frame = make_frame(pose);
-  const bool heats = points.temperature.extent(0) > 0, flows = points.plastic_strain.extent(0) > 0;
+  const bool flows = points.plastic_strain.extent(0) > 0, conducts = tool.heat.cells > 0;
+  const bool is_node = points.heat.extent(0) > 0, heats = is_node || points.temperature.extent(0) > 0;
   Kokkos::parallel_for(
       "tool_contact", UnevenRange(0, points.count), KOKKOS_LAMBDA(const int i) {
         if (points.area(i) == 0) return;
@@ -50,9 +76,20 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
         store_contact(points, i, response);
         store_vector(points.force, i, load_vector(points.force, i) + response.force);
         points.friction_work(i) += response.dissipated;
-        if (heats)
-          points.temperature(i) += law.heat_to_workpiece * response.dissipated /
-                                   (points.mass(i) * materials(points.material(i)).specific_heat);
+        if (!heats) return;
+        const Material& mat = materials(is_node ? 0 : points.material(i)); // a node's is not asked
+        Real to_work = law.heat_to_workpiece * response.dissipated;
+        if (conducts) {
+          if (touches) points.tool_cell(i) = cell_below(tool.heat, at);
+          const Real made = response.dissipated;
+          const Real to_tool = heat_to_tool(points, i, tool.heat, law, mat, made, touches ? dt : Real(0));
+          points.heat_to_tool(i) += to_tool;
+          to_work = made - to_tool;
+        }
+        if (is_node)
+          points.heat(i) += to_work;
+        else
+          points.temperature(i) += to_work / heat_capacity(mat, points.mass(i));
       });
 }
 

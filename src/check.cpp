@@ -68,6 +68,7 @@ void check_inertia(const Deck& deck, Findings& found) {
                                 tool.spindle_speed * tool.diameter / 2);
   if (speed == 0) return;
   for (const MaterialDeck& m : deck.materials) {
+    if (m.law == "rigid") continue;
     const double K = m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio),
                  G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
     const double c = std::sqrt((K + 4 * G / 3) / m.density / deck.run.mass_factor);
@@ -129,6 +130,9 @@ int check_deck(const std::string& file) {
   if (deck.sleep.distance)
     found.line("awake at the start", "{} (+ {} tied)", scene.particles.count, scene.particles.tied);
   found.line("hexes", "{} ({} nodes)", scene.hexes.points.count, scene.hexes.nodes);
+  if (scene.tool.heat.cells > 0)
+    found.line("cells of heat in the tool", "{}, to {:.3g} um from where the bodies come",
+               scene.tool.heat.cells, 1e6 * scene.heat_reach);
   found.line("mass", "{:.6g} kg", mass_of(scene));
   found.line("time step", "{:.4g} s, limited by {}", simulation.dt(), simulation.limiter());
   if (scene.conversion)

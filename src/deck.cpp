@@ -223,7 +223,13 @@ std::string read_text(const std::string& file) {
 
 bool conducts_heat(const Deck& deck) {
   return std::any_of(deck.materials.begin(), deck.materials.end(),
-                     [](const MaterialDeck& m) { return m.conductivity > 0; });
+                     [](const MaterialDeck& m) { return m.conductivity > 0 && m.law != "rigid"; });
+}
+
+const MaterialDeck* find_material(const Deck& deck, const std::string& name) {
+  const auto at = std::find_if(deck.materials.begin(), deck.materials.end(),
+                               [&](const MaterialDeck& m) { return m.name == name; });
+  return at == deck.materials.end() ? nullptr : &*at;
 }
 
 double end_time_of(const Deck& deck) {

@@ -17,7 +17,7 @@ struct DeckError : std::runtime_error {
 
 struct MaterialDeck {
   std::string name;
-  std::string law; // elastic | linear_hardening | johnson_cook
+  std::string law; // elastic | linear_hardening | johnson_cook | rigid: of a tool
   double density, youngs_modulus, poissons_ratio;
   double specific_heat, conductivity, taylor_quinney;
   double yield_stress, hardening_modulus;                                        // linear_hardening
@@ -74,14 +74,19 @@ struct ToolDeck {
   double feed_per_tooth = 0;
   Triple feed_direction{1, 0, 0};
   double start_angle = 0; // immersion angle at time 0, rad
+  // heat
+  std::string material;              // a rigid one; empty: the tool does not conduct
+  double temperature = 0;            // at the start
+  std::optional<double> held_beyond; // m from where the work touches: held at it; not given: insulated
   bool operator==(const ToolDeck&) const = default;
 };
 
 struct ContactDeck {
   double friction = 0;
-  std::optional<double> shear_limit; // Pa
-  double stiffness = 0.1;            // penalty / (scaled mass / dt^2)
-  double heat_to_workpiece = 0.5;    // share of the friction work that heats the particle
+  std::optional<double> shear_limit;       // Pa
+  double stiffness = 0.1;                  // penalty / (scaled mass / dt^2)
+  std::optional<double> heat_to_workpiece; // share of the friction work, of a tool without a material
+  std::optional<double> conductance;       // W/(m2 K), of one with a material; not given: perfect contact
   bool operator==(const ContactDeck&) const = default;
 };
 
@@ -191,6 +196,7 @@ struct Deck {
 Deck read_deck(const std::string& file);
 
 bool conducts_heat(const Deck& deck);
+const MaterialDeck* find_material(const Deck& deck, const std::string& name); // null: there is none
 
 // When the run ends, s.
 double end_time_of(const Deck& deck);

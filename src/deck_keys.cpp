@@ -27,18 +27,20 @@ const Keys<Deck>& top_keys() {
 
 const Keys<MaterialDeck>& material_keys() {
   using M = MaterialDeck;
+  const auto deforms = law({"elastic", "linear_hardening", "johnson_cook"});
   static const Keys<M> keys = {
-      {"law", &M::law, D::none, Choices{"elastic", "linear_hardening", "johnson_cook"}, required, always,
-       "flow law; all are isotropic, with the Jaumann rate"},
+      {"law", &M::law, D::none, Choices{"elastic", "linear_hardening", "johnson_cook", "rigid"}, required,
+       always, "flow law; all are isotropic, with the Jaumann rate; rigid: of a tool, which only conducts"},
       {"density", &M::density, D::density, positive, required, always, "mass per volume, unloaded"},
-      {"youngs_modulus", &M::youngs_modulus, D::pressure, positive, required, always, "E"},
-      {"poissons_ratio", &M::poissons_ratio, D::none, Range{-1, 0.5, true, true}, required, always, "nu"},
-      {"specific_heat", &M::specific_heat, D::specific_heat, positive, required, law({"johnson_cook"}),
-       "heat per mass and kelvin"},
+      {"youngs_modulus", &M::youngs_modulus, D::pressure, positive, required, deforms, "E"},
+      {"poissons_ratio", &M::poissons_ratio, D::none, Range{-1, 0.5, true, true}, required, deforms, "nu"},
+      {"specific_heat", &M::specific_heat, D::specific_heat, positive, required,
+       law({"johnson_cook", "rigid"}), "heat per mass and kelvin"},
       {"specific_heat", &M::specific_heat, D::specific_heat, positive, R"("500 J/kg/K")",
        law({"elastic", "linear_hardening"}), "heat per mass and kelvin; changes no force under these laws"},
-      {"conductivity", &M::conductivity, D::conductivity, not_negative, R"("0 W/m/K")", always,
+      {"conductivity", &M::conductivity, D::conductivity, not_negative, R"("0 W/m/K")", deforms,
        "of heat; 0: adiabatic"},
+      {"conductivity", &M::conductivity, D::conductivity, positive, required, law({"rigid"}), "of heat"},
       {"taylor_quinney", &M::taylor_quinney, D::none, share, "0.9", law({"linear_hardening", "johnson_cook"}),
        "share of the plastic work that becomes heat"},
       {"yield_stress", &M::yield_stress, D::pressure, positive, required, law({"linear_hardening"}),
@@ -176,6 +178,15 @@ const Keys<ToolDeck>& tool_keys() {
       {"feed_direction", &T::feed_direction, D::none, Direction{}, "[1.0, 0.0, 0.0]", mill, "of the advance"},
       {"start_angle", &T::start_angle, D::angle, Range{-360, 720}, R"("0 deg")", mill,
        "immersion angle of tooth 0 at the end face at time 0: clockwise from +y"},
+      {"material", &T::material, D::none, Text{}, optional, always,
+       "NAME of a [material.NAME] with law = \"rigid\": the tool conducts, and takes heat from the bodies "
+       "and "
+       "from friction by itself; not given: contact.heat_to_workpiece"},
+      {"temperature", &T::temperature, D::temperature, positive, R"("25 degC")", always,
+       "of a tool with a material, at the start"},
+      {"held_beyond", &T::held_beyond, D::length, positive, optional, always,
+       "a tool with a material stays at that temperature farther than this from where the bodies come; not "
+       "given: its far faces are insulated"},
   };
   return keys;
 }
@@ -189,8 +200,12 @@ const Keys<ContactDeck>& contact_keys() {
       {"stiffness", &C::stiffness, D::none, Range{0, 1, true, false}, "0.1", always,
        "of the penalty spring, in units of (scaled mass) / dt^2; where it is soft the tool sinks in, and the "
        "thrust force of a cut grows"},
-      {"heat_to_workpiece", &C::heat_to_workpiece, D::none, share, "0.5", always,
-       "share of the friction work that heats the bodies; the rest goes into the tool"},
+      {"heat_to_workpiece", &C::heat_to_workpiece, D::none, share, optional, always,
+       "share of the friction work that heats the bodies; the rest is lost to the tool; not given: 0.5. Of a "
+       "tool without a material only"},
+      {"conductance", &C::conductance, D::conductance, positive, optional, always,
+       "of heat through the interface, of a tool with a material; not given: perfect contact, no jump of the "
+       "temperature"},
   };
   return keys;
 }

@@ -91,6 +91,52 @@ void check_conversion(const Deck& deck, const toml::table& root, DeckReport& rep
   if (any) refuse_methods(deck, root, report);
 }
 
+// A rigid material is for the tool, and the tool's is rigid; heat crosses into what conducts.
+void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& report) {
+  const toml::array& bodies = *root["body"].as_array();
+  const bool conducts = deck.tool && !deck.tool->material.empty();
+  for (std::size_t i = 0; i < deck.bodies.size(); ++i) {
+    const MaterialDeck* m = find_material(deck, deck.bodies[i].material);
+    if (!m) continue; // reported
+    const toml::node& place = find_place(*bodies.get(i)->as_table(), "material");
+    if (m->law == "rigid")
+      report.add(
+          place, "body.material",
+          fmt::format("[material.{}] has law = \"rigid\", which is for a tool. Name another", m->name));
+    else if (conducts && m->conductivity == 0)
+      report.add(
+          place, "body.material",
+          fmt::format("[material.{}] has no conductivity, so no heat can cross to the tool, which has a "
+                      "material. Give it one, or leave tool.material out",
+                      m->name));
+  }
+  if (!deck.tool) return;
+  const toml::table &tool = *root["tool"].as_table(), &contact = *root["contact"].as_table();
+  if (!conducts) {
+    if (deck.contact.conductance)
+      report.add(find_place(contact, "conductance"), "contact.conductance",
+                 "the tool has no material to conduct into. Give tool.material, or leave it out");
+    if (deck.tool->held_beyond)
+      report.add(find_place(tool, "held_beyond"), "tool.held_beyond",
+                 "the tool has no material, so it has no temperature. Give tool.material, or leave it out");
+    return;
+  }
+  const MaterialDeck* m = find_material(deck, deck.tool->material);
+  std::vector<std::string> rigid;
+  for (const MaterialDeck& other : deck.materials)
+    if (other.law == "rigid") rigid.push_back(other.name);
+  if (!m || m->law != "rigid")
+    report.add(find_place(tool, "material"), "tool.material",
+               m ? fmt::format("[material.{}] deforms. Name one with law = \"rigid\".{}", m->name,
+                               suggest(m->name, rigid))
+                 : fmt::format("there is no [material.{}] in this deck.{}", deck.tool->material,
+                               suggest(deck.tool->material, rigid)));
+  if (deck.contact.heat_to_workpiece)
+    report.add(
+        find_place(contact, "heat_to_workpiece"), "contact.heat_to_workpiece",
+        "the tool has a material: friction heat divides by itself. Leave this key out, or tool.material");
+}
+
 } // namespace
 
 void check_methods(const Deck& deck, const toml::table& root, DeckReport& report) {
@@ -98,6 +144,7 @@ void check_methods(const Deck& deck, const toml::table& root, DeckReport& report
   check_evolving(deck, root, report);
   check_retire(deck, root, report);
   check_conversion(deck, root, report);
+  check_tool_heat(deck, root, report);
 }
 
 } // namespace swarf

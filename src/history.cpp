@@ -33,6 +33,9 @@ void for_each_column(const HistorySample& s, int teeth, Visitor&& visit) {
   visit("contact_energy", "J", s.contact), visit("tie_work", "J", s.tie);
   visit("shifting_work", "J", s.shifting);
   visit("external_work", "J", s.external), visit("energy_residual", "J", s.residual);
+  visit("plastic_heat", "J", s.plastic_heat), visit("work_heat", "J", s.work_heat);
+  visit("tool_heat", "J", s.tool_heat), visit("heat_out", "J", s.heat_out);
+  visit("heat_residual", "J", s.heat_residual);
   visit("max_temperature", "K", s.max_temperature), visit("max_plastic_strain", "1", s.max_plastic_strain);
   visit("max_velocity", "m/s", s.max_velocity);
   visit("particles_in_contact", "1", s.particles_in_contact);

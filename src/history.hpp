@@ -22,7 +22,11 @@ struct HistorySample {
   // J, since the start
   double kinetic = 0, elastic = 0, plastic = 0, frictional = 0, viscous = 0, hourglass = 0, contact = 0,
          tie = 0, shifting = 0;
-  double external = 0, residual = 0; // residual = (all of the above - initial) - external
+  double external = 0, residual = 0;   // residual = (all of the above - initial) - external
+  double plastic_heat = 0;             // J, made by plastic work; friction_work is the other source
+  double work_heat = 0, tool_heat = 0; // J, stored since the start
+  double heat_out = 0;                 // J, that has left through what is held
+  double heat_residual = 0;            // J, stored and gone, less what was made
   double max_temperature = 0, max_plastic_strain = 0, max_velocity = 0;
   double particles_in_contact = 0;
 };

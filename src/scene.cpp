@@ -1,7 +1,7 @@
 #include "src/scene.hpp"
 #include "src/hex_conversion.hpp"
 #include "src/scene_parts.hpp"
-#include "src/tool_geometry.hpp"
+#include "src/tool_cells.hpp"
 #include "src/upload.hpp"
 #include <algorithm>
 #include <bit>
@@ -150,6 +150,14 @@ void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& sc
     cell = std::max(cell, b.has_particles() ? b.points.spacing : touches ? std::cbrt(share) : 0.0);
   }
   scene.tool = build_tool(surface, *deck.tool, 2 * cell);
+  if (deck.tool->material.empty()) return;
+  std::vector<Shape> shapes;
+  for (const FilledBody& b : bodies) shapes.push_back(b.shape);
+  const HeatPlan plan = plan_tool_heat(deck, shapes, scene.spacing > 0 ? scene.spacing : cell);
+  const MaterialDeck& material = *find_material(deck, deck.tool->material);
+  scene.tool.heat = build_tool_heat(scene.tool, surface, *deck.tool, material, plan);
+  scene.tool.heat.first = IndexField("tool_first", std::size_t(scene.tool.heat.cells) + 1);
+  scene.heat_reach = plan.reach;
 }
 
 } // namespace

@@ -28,6 +28,7 @@ struct Scene {
   HeldRows held_rows;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
   Tool tool;
+  double heat_reach = 0;   // m, how far into the tool heat is followed; 0: it does not conduct
   double spacing = 0;      // of the finest particles, m; 0 without particles
   CellGrid lattice;        // of the finest particles: about one in each cell
   double cutoff = 0;       // largest support 2 h + skin, m

@@ -117,13 +117,12 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
   for_each_field(m, [&](const char* name, auto& field, auto facts) {
     allocate(field, name, facts, deck, facts.per == Per::per_node ? m.nodes : n);
   });
-  if (conducts_heat(deck)) {
+  if (conducts_heat(deck))
     m.nodal_temperature = upload<ScalarField>(
         "nodal_temperature", m.nodes, [&](auto& f, int a) { f(a) = Real(nodes[a].body->deck->temperature); });
-    m.heat_capacity = upload<ScalarField>("heat_capacity", m.nodes, [&](auto& f, int a) {
-      f(a) = Real(mass[a] * deck.materials[std::size_t(nodes[a].body->material)].specific_heat);
-    });
-  }
+  m.heat_capacity = upload<ScalarField>("heat_capacity", m.nodes, [&](auto& f, int a) {
+    f(a) = Real(mass[a] * deck.materials[std::size_t(nodes[a].body->material)].specific_heat);
+  });
 
   m.points.mass = upload<ScalarField>(
       "mass", n, [&](auto& f, int e) { f(e) = Real(density(hexes[e]) * hexes[e].volume); });

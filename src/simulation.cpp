@@ -26,12 +26,18 @@ ContactPoints contact_points_of(const Particles& p) {
           p.points.temperature,
           p.points.material,
           p.points.equivalent_plastic_strain,
-          p.points.plastic_strain_rate};
+          p.points.plastic_strain_rate,
+          {},
+          {},
+          p.heat_to_tool,
+          p.tool_cell};
 }
 ContactPoints contact_points_of(const HexMesh& m) {
-  return {m.nodes,          m.position,    m.velocity,       m.mass,          m.contact_gap,
-          m.contact_area,   m.force,       m.friction_force, m.contact_force, m.friction_work,
-          m.contact_energy, ScalarField(), IndexField(),     ScalarField(),   ScalarField()};
+  return {m.nodes,         m.position,      m.velocity,       m.mass,
+          m.contact_gap,   m.contact_area,  m.force,          m.friction_force,
+          m.contact_force, m.friction_work, m.contact_energy, m.nodal_temperature,
+          IndexField(),    ScalarField(),   ScalarField(),    m.contact_heat,
+          m.heat_capacity, m.heat_to_tool,  m.tool_cell};
 }
 
 void Simulation::step() {
@@ -40,6 +46,7 @@ void Simulation::step() {
   move();
   timer.mark("integrate");
   if (shift_is_due()) shift();
+  if (conversion_due || rest_due) take_contact_heat();
   if (conversion_due) convert();
   if (rest_due) rest();
   if (lists_due) rebuild_lists();
@@ -164,14 +171,24 @@ void Simulation::press_tool() {
     }
   }
   couple_nodes(model.hexes, model.node_transforms, true);
+  if (deck.tool && !conducts) take_contact_heat();
   timer.mark("contact");
 }
 
+void Simulation::take_contact_heat() {
+  spread_contact_heat(model.tie, model.particles, model.hexes, model.node_transforms);
+  for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)}) {
+    ensure_rows(model.tool.heat.source, points.heat_to_tool.extent(0));
+    gather_tool_heat(points, model.tool.heat);
+  }
+}
+
 // As rarely as its own stable step allows: many mechanical steps, or several in one under a large mass
-// factor.
+// factor. The tool's cells are few, and take steps of their own.
 void Simulation::conduct() {
   heat_time += step_size;
   if (heat_time + step_size <= heat_step) return;
+  take_contact_heat();
   const int parts = int(std::ceil(heat_time / heat_step));
   const Real dt = Real(heat_time / parts);
   for (int k = 0; k < parts; ++k) {
@@ -181,6 +198,8 @@ void Simulation::conduct() {
     couple_heat(model.hexes, model.node_transforms);
     spread_temperature(model.tie, model.particles, model.hexes);
   }
+  const int tool_parts = int(std::ceil(heat_time / tool_heat_step)); // 0 of a tool that does not conduct
+  for (int k = 0; k < tool_parts; ++k) conduct_tool(model.tool.heat, Real(heat_time / tool_parts));
   heat_time = 0;
   timer.mark("heat");
 }

@@ -63,7 +63,8 @@ class Simulation {
   void compute_forces();
   void press_tool();
   void conduct();
-  void convert(); // hexes that are near to the tool or strained become particles
+  void take_contact_heat(); // what the contact has brought shows as temperature, of the work and of the tool
+  void convert();           // hexes that are near to the tool or strained become particles
   void plan_conversion();
   double energy_in_contact();           // J, all there is, with the springs as the tool presses them now
   double step_of_new_particles() const; // s, about; infinite where no hex converts
@@ -79,6 +80,8 @@ class Simulation {
   bool has_surfaces() const { return model.particles.surface_shift.extent(0) > 0; }
   double shift_way() const { return model.spacing / 16; } // m, of the tool between two shifts
   StableStep limit_step();
+  HeatSums sum_heats() const;
+  void book_heat(HistorySample&) const;
   void check_status();                           // throws SimulationFault
   void check_energy(const HistorySample&) const; // throws SimulationFault
   [[noreturn]] void fail(Fault fault, const std::string& where) const;
@@ -101,6 +104,8 @@ class Simulation {
   double pressure_time = 0; // s since the last diffuse_pressure
   bool conducts = false;
   double heat_step = 0, heat_time = 0; // s: stable step of conduction; time since the last one
+  double tool_heat_step = 0;           // s: of conduction in the tool
+  double initial_heat = 0;             // J, of the work above the temperature that heats are counted from
   double now = 0, step_size = 0, mass_factor = 1;
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;

@@ -35,6 +35,8 @@ void Simulation::write_state(CheckpointWriter& out) const {
   for_each_field(model.hexes, [&](const std::string& name, const auto& field, auto facts) {
     if (facts.life == Life::history) out.put("hexes/" + name, field);
   });
+  if (model.tool.heat.cells > 0)
+    out.put("tool/temperature", model.tool.heat.temperature), out.put("tool/out", model.tool.heat.out);
   out.put("lists/build_position", first_rows(lists.build_position, rows));
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
   const Real* values = reinterpret_cast<const Real*>(&load);
@@ -82,6 +84,8 @@ void Simulation::read_state(const CheckpointReader& in) {
   for_each_field(model.hexes, [&](const std::string& name, auto& field, auto facts) {
     if (facts.life == Life::history) read("hexes/" + name, field);
   });
+  if (model.tool.heat.cells > 0)
+    read("tool/temperature", model.tool.heat.temperature), read("tool/out", model.tool.heat.out);
   VectorField built;
   in.get("lists/build_position", built);
   Kokkos::deep_copy(p.position, built);

@@ -11,7 +11,7 @@ double fastest_wave(const MaterialTable& table, double mass_factor) {
   const auto materials = host_copy(table);
   double fastest = 0;
   for (std::size_t m = 0; m < materials.extent(0); ++m)
-    fastest = std::max(fastest, double(longitudinal_wave_speed(materials(m))));
+    fastest = std::max(fastest, double(longitudinal_wave_speed(materials(m)))); // 0 of a rigid one
   return fastest / std::sqrt(mass_factor);
 }
 

@@ -88,8 +88,11 @@ Simulation::Simulation(const Deck& from)
   contact_law.friction = Real(deck.contact.friction);
   contact_law.shear_limit = Real(deck.contact.shear_limit.value_or(0));
   contact_law.stiffness = Real(deck.contact.stiffness);
-  contact_law.heat_to_workpiece = Real(deck.contact.heat_to_workpiece);
+  contact_law.heat_to_workpiece = Real(deck.contact.heat_to_workpiece.value_or(0.5));
+  if (deck.contact.conductance) contact_law.heat_resistance = Real(1 / *deck.contact.conductance);
+  tool_heat_step = double(stable_heat_step(model.tool.heat));
   lists.cutoff = Real(model.cutoff), lists.skin = Real(model.skin);
+  initial_heat = double(sum_heats().work);
   loads = make_tool_load_sums(std::max(model.particles.count, model.hexes.nodes));
   Kokkos::deep_copy(status, no_fault), Kokkos::deep_copy(hex_status, no_fault);
 }
@@ -203,6 +206,7 @@ HistorySample Simulation::sample() {
     s.tooth_force[k] = {scale * load.tooth_force[k].x, scale * load.tooth_force[k].y,
                         scale * load.tooth_force[k].z};
   s.particles_in_contact = load.contacts / taken;
+  book_heat(s);
   s.max_temperature = double(std::max(a.max_temperature, b.max_temperature));
   s.max_plastic_strain = double(std::max(a.max_plastic_strain, b.max_plastic_strain));
   s.max_velocity = double(std::max(a.max_speed, b.max_speed));
@@ -211,6 +215,25 @@ HistorySample Simulation::sample() {
   timer.mark("samples");
   check_energy(s);
   return s;
+}
+
+// Counted from one temperature, so that small rises keep their digits in the sums.
+HeatSums Simulation::sum_heats() const {
+  const Real reference = Real(deck.bodies.front().temperature);
+  HeatSums sums = sum_heat(model.particles, model.materials, reference);
+  sums.add(sum_heat(model.hexes, model.materials, reference));
+  sums.add(sum_heat(model.tool.heat));
+  return sums;
+}
+
+// What a tool without a material is given is lost, and counts as its heat.
+void Simulation::book_heat(HistorySample& s) const {
+  const HeatSums sums = sum_heats();
+  const double lost = model.tool.heat.cells > 0 ? 0 : 1 - double(contact_law.heat_to_workpiece);
+  s.plastic_heat = double(sums.plastic), s.heat_out = double(sums.out);
+  s.work_heat = double(sums.work) - initial_heat;
+  s.tool_heat = double(sums.tool) + lost * s.frictional;
+  s.heat_residual = s.work_heat + s.tool_heat + s.heat_out - s.plastic_heat - s.frictional;
 }
 
 int Simulation::leaked_particles() const {

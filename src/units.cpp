@@ -87,6 +87,7 @@ const std::vector<DimensionRow>& dimensions() {
       {Dimension::temperature, {0, 0, 0, 1, 0}, {"a temperature", "K", "25 degC"}},
       {Dimension::specific_heat, {2, 0, -2, -1, 0}, {"a specific heat", "J/kg/K", "526.3 J/kg/K"}},
       {Dimension::conductivity, {1, 1, -3, -1, 0}, {"a thermal conductivity", "W/m/K", "6.3 W/m/K"}},
+      {Dimension::conductance, {0, 1, -3, -1, 0}, {"a thermal conductance per area", "W/m2/K", "1e6 W/m2/K"}},
       {Dimension::force, {1, 1, -2, 0, 0}, {"a force", "N", "10.1 N"}},
       {Dimension::percentage, {}, {"a percentage", "%", "5 %"}},
   };

@@ -19,6 +19,7 @@ enum class Dimension {
   temperature,
   specific_heat,
   conductivity,
+  conductance,
   force,
   percentage
 };

@@ -8,7 +8,8 @@ struct ContactLaw {
   Real friction = 0;
   Real shear_limit = 0;       // Pa; 0: none
   Real stiffness = 0;         // times scaled mass / reference_step^2
-  Real heat_to_workpiece = 0; // share of the friction work
+  Real heat_to_workpiece = 0; // share of the friction work, where the tool does not conduct
+  Real heat_resistance = 0;   // m2 K/W of the interface, where it does; 0: perfect contact
   Real reference_step = 0;    // s, the same for a whole run, so that the springs keep their energy when dt
                               // changes; 0: the dt of the step
 };

@@ -23,10 +23,14 @@ struct HexMesh {
   VectorField position, velocity, force;     // nodes
   ScalarField mass;                          // lumped, kg, not mass-scaled
   ScalarField heat_capacity;                 // lumped, J/K
-  ScalarField nodal_temperature, nodal_heat; // K; J of the last conduction. 0 rows without conduction
+  ScalarField nodal_temperature;             // K; 0 rows without conduction
+  ScalarField nodal_heat;                    // J, of the last conduction, or of the contact
+  ScalarField contact_heat;                  // J, that the contact has brought and no temperature shows yet
   View<Real* [8]> corner_heat;               // J, before the gather
   VectorField friction_force, contact_force; // nodes on the surface that may touch the tool
   ScalarField friction_work, external_work, contact_energy;
+  ScalarField heat_to_tool;    // J, not yet in the tool's cells; 0 rows without cells
+  IndexField tool_cell;        // of the tool, that the node touched last; 0 rows without cells
   ScalarField contact_gap;     // m, 0: the node lies on the surface
   ScalarField contact_area;    // m2, share of the surface; 0 for nodes inside: no contact
   View<unsigned*> constraints; // bit b: row b of the ConstraintTable
@@ -59,9 +63,12 @@ struct HexMesh {
     visit("velocity", m.velocity, Facts<per_node, vector, history>());
     visit("force", m.force, Facts<per_node, vector, history>());
     visit("nodal_mass", m.mass, Facts<per_node>());
-    visit("heat_capacity", m.heat_capacity, Facts<per_node, with_conduction>());
+    visit("heat_capacity", m.heat_capacity, Facts<per_node>());
     visit("nodal_temperature", m.nodal_temperature, Facts<per_node, history, with_conduction>());
-    visit("nodal_heat", m.nodal_heat, Facts<per_node, with_conduction>());
+    visit("nodal_heat", m.nodal_heat, Facts<per_node>());
+    visit("contact_heat", m.contact_heat, Facts<per_node, history>());
+    visit("heat_to_tool", m.heat_to_tool, Facts<per_node, history, with_tool_heat>());
+    visit("tool_cell", m.tool_cell, Facts<per_node, history, with_tool_heat>());
     visit("friction_force", m.friction_force, Facts<per_node, vector, history>());
     visit("contact_force", m.contact_force, Facts<per_node, vector, history>());
     visit("friction_work", m.friction_work, Facts<per_node, history>());

@@ -102,6 +102,13 @@ void conduct_heat(const Particles&, const Neighbors&, const ImagePlanes&, const 
 void hex_heat(const HexMesh&, const MaterialTable&, Real dt);                         // to the corners
 void gather_heat(const Tie&, const Particles&, const HexMesh&, const MaterialTable&); // to the nodes
 void spread_temperature(const Tie&, const Particles&, const HexMesh&); // of nodes, hexes, tied particles
+// What the contact has brought to nodes: into their hexes and the particles tied there.
+void spread_contact_heat(const Tie&, const Particles&, const HexMesh&, const TransformTable&);
+void gather_tool_heat(const ContactPoints&, const ToolHeat&); // what points have brought, to the tool's cells
+void conduct_tool(const ToolHeat&, Real dt);
+
+// --- the tool, before the run
+View<Real* [4]> tool_distance(const Tool&, const VectorField& x); // signed, and outward normal, of points x
 
 // --- sleep
 struct ToolAt { // 0 facets: no tool
@@ -166,6 +173,18 @@ inline PointSums sum_particles(const Particles& p, Real mass_factor) {
 }
 PointSums sum_hexes(const HexMesh&, Real mass_factor);
 
+struct HeatSums {             // J, above the temperature `reference`
+  Real work = 0, plastic = 0; // stored in the work; made there by plastic work
+  Real tool = 0, out = 0;     // stored in the tool, or on its way there; gone into what is held
+
+  KOKKOS_INLINE_FUNCTION void add(const HeatSums& o) {
+    work += o.work, plastic += o.plastic, tool += o.tool, out += o.out;
+  }
+};
+HeatSums sum_heat(const Particles&, const MaterialTable&, Real reference);
+HeatSums sum_heat(const HexMesh&, const MaterialTable&, Real reference);
+HeatSums sum_heat(const ToolHeat&);
+
 struct StableStep {
   Real dt = 0; // s, at Courant number 1
   int limiter = -1;
@@ -175,5 +194,6 @@ StableStep stable_step(const Particles&, const Neighbors&, const MaterialTable&,
 StableStep stable_step(const HexMesh&, const MaterialTable&, const HexMethod&);
 Real stable_heat_step(const Particles&, const MaterialTable&); // s; infinite without conduction
 Real stable_heat_step(const HexMesh&, const MaterialTable&);
+Real stable_heat_step(const ToolHeat&);
 
 } // namespace swarf

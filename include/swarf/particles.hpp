@@ -57,6 +57,8 @@ struct Particles {
   ScalarField contact_energy;      // J, stored in the penalty spring
   ScalarField contact_gap;         // m, half the initial spacing: where the particle's own surface lies
   ScalarField contact_area;        // m2, the face of the particle's initial cube
+  ScalarField heat_to_tool;        // J, not yet in the tool's cells; 0 rows without cells
+  IndexField tool_cell;            // of the tool, that it touched last; 0 rows without cells
   IndexField identity;             // number given when the scene was built
   IndexField body;                 // row of the scene's bodies
   View<unsigned*> constraints;     // bit b: row b of the ConstraintTable
@@ -103,6 +105,8 @@ struct Particles {
     visit("contact_energy", p.contact_energy, Facts<history>());
     visit("contact_gap", p.contact_gap, Facts<history>());
     visit("contact_area", p.contact_area, Facts<history>());
+    visit("heat_to_tool", p.heat_to_tool, Facts<history, with_tool_heat>());
+    visit("tool_cell", p.tool_cell, Facts<history, with_tool_heat>());
     visit("identity", p.identity, Facts<history>());
     visit("body", p.body, Facts<history>());
     visit("constraints", p.constraints, Facts<history>());

@@ -1,6 +1,6 @@
 // The rigid tool: a closed surface of facets, its motion, and what a query needs on the device.
 #pragma once
-#include "swarf/tensor.hpp"
+#include "swarf/tool_heat.hpp"
 
 namespace swarf {
 
@@ -55,6 +55,7 @@ struct Tool {
   Real reach = 0;                    // m
   int teeth = 1;                     // tooth 0 at +y, the others counter-clockwise from it
   Real twist = 0;                    // rad/m, by which the edges turn counter-clockwise along +z
+  ToolHeat heat;                     // without cells where the tool does not conduct
 };
 
 // The tooth whose edge is nearest in angle to a point in the tool's frame.
