@@ -25,6 +25,7 @@ struct Scene {
   TransformTable node_transforms;       // of hexes.coupled_nodes
   ConstraintTable constraints;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
+  int collapsed_facets = 0;                       // of the tool's file, left out
   Tool tool;
   double spacing = 0;      // of the finest particles, m; 0 without particles
   CellGrid lattice;        // of the finest particles: about one in each cell

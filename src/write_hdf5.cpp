@@ -102,14 +102,14 @@ bool Hdf5File::close() {
   return open < 0 || H5Fclose(open) >= 0;
 }
 
-CheckpointWriter::CheckpointWriter(const fs::path& name, const std::string& deck_hash) : name_of_file(name) {
+CheckpointWriter::CheckpointWriter(const fs::path& name, const std::string& deck) : name_of_file(name) {
   silence_hdf5();
   file.id = create_hdf5(temporary_name(name)).release();
   if (file.id < 0) fail("cannot be written");
   if (!write_attribute(file.id, "format", format_name) ||
       !write_attribute(file.id, "version", checkpoint_version) ||
       !write_attribute(file.id, "bytes_of_real", int(sizeof(Real))) ||
-      !write_attribute(file.id, "deck", deck_hash))
+      !write_attribute(file.id, "deck", deck))
     fail("cannot be written");
 }
 
@@ -156,7 +156,7 @@ CheckpointReader::CheckpointReader(const fs::path& name) : name_of_file(name) {
   if (!fs::exists(name, ignored))
     throw ResultsError(
         fmt::format("{}: there is no such checkpoint; give the folder of a run that wrote one, or start "
-                    "the run without a restart",
+                    "the run anew with --overwrite",
                     name.string()));
   file.id = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file.id < 0) fail("is cut short or damaged: HDF5 cannot open it");
@@ -172,13 +172,17 @@ CheckpointReader::CheckpointReader(const fs::path& name) : name_of_file(name) {
         "holds numbers of {} bytes, this build of swarf computes with {} ({})", bytes, sizeof(Real),
         sizeof(Real) == 8 ? "double; use the build in single precision" : "float; use the release build"));
   if (read_int_attribute(file.id, "complete") != 1) fail("was not written to its end");
-  hash = read_text_attribute(file.id, "deck");
+  deck_text = read_text_attribute(file.id, "deck");
 }
 
 void CheckpointReader::fail(const std::string& what) const {
-  throw ResultsError(
-      fmt::format("{}: the checkpoint {}; restart from another checkpoint, or start the run again",
-                  name_of_file.string(), what));
+  throw ResultsError(fmt::format(
+      "{}: the checkpoint {}; restart from another checkpoint, or start the run anew with --overwrite",
+      name_of_file.string(), what));
+}
+
+void CheckpointReader::require(bool is_possible, const std::string& name) const {
+  if (!is_possible) fail(fmt::format("has values of '{}' that cannot be", name));
 }
 
 bool CheckpointReader::has(const std::string& name) const {
