@@ -128,13 +128,14 @@ bool is_large(const Deck& deck, Findings& found) {
 }
 
 // Ten steps, or as many as a few seconds take.
-int try_steps(Simulation& simulation) {
+int try_steps(Simulation& simulation, double end) {
   const auto begin = std::chrono::steady_clock::now();
   for (int k = 1;; ++k) {
+    simulation.cut_step(end);
     simulation.step();
     if (simulation.steps_to_check() <= 0) simulation.check();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    if (k == 10 || taken.count() > 5) return k;
+    if (k == 10 || taken.count() > 5 || simulation.time() >= end) return k;
   }
 }
 
@@ -183,13 +184,13 @@ int check_deck(const std::string& file) {
                scene.conversion->count(), scene.layout ? scene.layout->converted() : 0);
   const double steps = count_steps(deck, simulation);
   found.line("steps", "{:.4g} for {:.4g} s", steps, end_time_of(deck));
-  if (const double heat = count_heat_steps(simulation); heat > 0)
+  if (const double heat = count_heat_steps(deck, simulation); heat > 0)
     found.line("steps of conduction in a step", "{:.0f}", heat);
   const SceneReport places = look_at_scene(deck, scene);
   for (const auto& [name, value] : places.lines) found.line(name.c_str(), "{}", value);
   std::fflush(stdout);
   const double trial_begin = seconds(), cpu_begin = cpu_seconds();
-  const int trial = try_steps(simulation);
+  const int trial = try_steps(simulation, end_time_of(deck));
   const double per_step = (seconds() - trial_begin) / trial;
   const double core_seconds = steps * (cpu_seconds() - cpu_begin) / trial;
   rusage usage{};

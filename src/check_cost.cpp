@@ -23,13 +23,13 @@ double count_steps(const Deck& deck, const Simulation& simulation) {
   return std::ceil(std::max(0.0, end_time_of(deck) - simulation.time()) / simulation.dt());
 }
 
-double count_heat_steps(const Simulation& simulation) {
+double count_heat_steps(const Deck& deck, const Simulation& simulation) {
   const double step = simulation.heat_dt();
-  return step > 0 && std::isfinite(step) ? std::ceil(simulation.dt() / step) : 0;
+  return step > 0 && std::isfinite(step) ? std::ceil(std::min(simulation.dt(), end_time_of(deck)) / step) : 0;
 }
 
 void refuse_endless(const Deck& deck, const Simulation& simulation) {
-  const double steps = count_steps(deck, simulation), heat = count_heat_steps(simulation);
+  const double steps = count_steps(deck, simulation), heat = count_heat_steps(deck, simulation);
   if (!(steps <= most_steps)) {
     const std::string key = deck.run.end_time ? "end_time" : "end_immersion";
     throw DeckError(fmt::format("{}: run.{}: makes {:.3g} steps of {:.3g} s, limited by {}: expected at most "

@@ -5,7 +5,8 @@
 namespace swarf {
 
 double count_steps(const Deck& deck, const Simulation& simulation);
-double count_heat_steps(const Simulation& simulation); // of conduction in one step of mechanics; 0 without
+// Steps of conduction in one of mechanics; 0 without.
+double count_heat_steps(const Deck& deck, const Simulation& simulation);
 
 // Throws DeckError that names the key: more steps than a run of years, or a mechanical step that conduction
 // divides into thousands. After Simulation::start().

@@ -14,8 +14,11 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sched.h>
+#include <thread>
 #include <unistd.h>
+#ifdef KOKKOS_ENABLE_OPENMP
+#include <omp.h>
+#endif
 
 namespace {
 
@@ -26,8 +29,9 @@ void open_standard_streams() {
       std::_Exit(1);
 }
 
-// How long a waiting thread of GNU's OpenMP spins before it sleeps is read before main: the program starts itself
-// again with less than the usual 300 000 turns, in which a busy machine does nothing else for milliseconds.
+// How long a waiting thread of GNU's OpenMP spins before it sleeps is read before main: the program starts
+// itself again with less than the usual 300 000 turns, in which a busy machine does nothing else for
+// milliseconds.
 void shorten_spinning(char** argv) {
   if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY")) return;
   setenv("GOMP_SPINCOUNT", "1000", 1);
@@ -37,8 +41,11 @@ void shorten_spinning(char** argv) {
 // Threads that wait for each other must share no core, and more cannot compute: results do not depend on
 // them.
 int usable_threads(int asked) {
-  cpu_set_t mine;
-  const int cores = sched_getaffinity(0, sizeof mine, &mine) == 0 ? CPU_COUNT(&mine) : asked;
+#ifdef KOKKOS_ENABLE_OPENMP
+  const int cores = omp_get_num_procs(); // of this process, also where its first thread is bound to one
+#else
+  const int cores = std::max(1, int(std::thread::hardware_concurrency()));
+#endif
   if (asked > cores)
     swarf::complain("warning: {} threads are asked for, {} cores are there: taking {}.", asked, cores, cores);
   return std::min(asked, cores);

@@ -35,6 +35,7 @@ void write_all(int fd, std::string_view content, const fs::path& file) {
     if (written < 0) {
       const int error = errno;
       ::close(fd);
+      ::unlink(temporary_name(file).c_str());
       fail_to(file, "write the results", error);
     }
     content.remove_prefix(static_cast<std::size_t>(written));

@@ -109,22 +109,20 @@ int run_deck(const Deck& deck, const RunOptions& options) {
   std::optional<SignalWatch> signals(std::in_place);
   Progress progress(deck, end);
   RunEnding ending;
-  bool begun = false;
   try {
     options.resume ? recorder.resume() : recorder.begin();
-    begun = true;
     refuse_endless(deck, simulation);
     go(simulation, recorder, options, progress, *signals, end, ending);
   } catch (const SimulationFault& fault) {
     ending = {3, "failed", fault.what()};
     save_rest(recorder, ending, true);
   } catch (const ResultsError& error) { // a full disk
-    if (!begun) throw;
+    if (!recorder.has_begun()) throw;
     ending = {1, "failed", fmt::format("{}.", error.what())};
     save_rest(recorder, ending, false);
   }
   progress.finish();
-  recorder.watch.close(ending.how == "complete" || ending.how == "stopped");
+  recorder.watch.close(ending.how == "complete");
   try {
     write_history_results(folder, deck.output.filter_frequency);
     write_summary({folder, deck, simulation, recorder, ending}, progress.seconds());

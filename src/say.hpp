@@ -20,6 +20,7 @@ void say(fmt::format_string<T...> text, T&&... values) {
 // On stderr, after what was said before.
 template <class... T>
 void complain(fmt::format_string<T...> text, T&&... values) {
+  std::fflush(stdout);
   say_text(stderr, "swarf: " + fmt::format(text, std::forward<T>(values)...) + "\n");
 }
 

@@ -90,6 +90,22 @@ void check_meshable(const Deck& deck, const BodyDeck& b, const Triple& n) {
         fmt::format("expected at least 3 hexes around the ring, got {:.0f}. Make the hexes smaller", n[0]));
 }
 
+// Kernels are round: along the long edges particles would not see each other, across they would see
+// thousands.
+void check_cell_shape(const Deck& deck, const BodyDeck& body, const Triple& n) {
+  Triple edge = extents(body);
+  for (std::size_t d = 0; d < 3; ++d) edge[d] /= n[d];
+  const double most = body.fill == "particles" ? 10 : 1000;
+  const auto [least, largest] = std::minmax_element(edge.begin(), edge.end());
+  if (*largest <= most * *least) return;
+  reject(
+      deck, body, body.cells ? "cells" : "spacing",
+      fmt::format(
+          "makes cells of {:.3g} m by {:.3g} m by {:.3g} m: expected edges of which none is more than {:.0f} "
+          "times another. Look at the units of its sizes, or change the counts",
+          edge[0], edge[1], edge[2], most));
+}
+
 } // namespace
 
 double count_cells(const Deck& deck, const BodyDeck& body) { return cells_of(body, find_cells(deck, body)); }
@@ -127,6 +143,7 @@ void check_memory(const Deck& deck) {
 Shape make_shape(const Deck& deck, const BodyDeck& body) {
   const Triple n = find_cells(deck, body);
   check_meshable(deck, body, n);
+  check_cell_shape(deck, body, n);
   const double count = cells_of(body, n);
   const double memory = machine_memory();
   if (!(count < index_limit && count * bytes_per_cell < memory))

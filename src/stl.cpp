@@ -211,7 +211,7 @@ void write_stl(const FacetSurface& surface, const std::string& file) {
     const double length = std::hypot(n[0], n[1], n[2]);
     float row[12];
     for (int d = 0; d < 3; ++d) {
-      row[d] = float(n[d] / length);
+      row[d] = length > 0 ? float(n[d] / length) : 0.0f;
       for (int k = 0; k < 3; ++k) row[3 + 3 * k + d] = float(p[k][d]);
     }
     bytes.append(reinterpret_cast<const char*>(row), sizeof row).append(2, '\0');

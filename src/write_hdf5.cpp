@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 namespace swarf {
 namespace fs = std::filesystem;
@@ -123,10 +125,12 @@ CheckpointWriter::~CheckpointWriter() {
 void CheckpointWriter::fail(const std::string& what) {
   const std::string reason = hdf5_system_error();
   file.close();
-  throw ResultsError(
-      fmt::format("{}: the checkpoint {}{}{}; free some space on that disk, or choose another folder "
-                  "with --output. The checkpoint before this one is as it was",
-                  name_of_file.string(), what, reason.empty() ? "" : ": ", reason));
+  std::error_code ignored;
+  fs::remove(temporary_name(name_of_file), ignored);
+  const bool is_limit = reason == std::strerror(EFBIG);
+  throw ResultsError(fmt::format("{}: the checkpoint {}{}{}; {}. The checkpoint before this one is as it was",
+                                 name_of_file.string(), what, reason.empty() ? "" : ": ", reason,
+                                 advice_on(is_limit ? EFBIG : ENOSPC)));
 }
 
 void CheckpointWriter::write(const std::string& name, const void* data, NumberType type, const Shape& shape) {

@@ -12,7 +12,7 @@ struct FrameEntry {
   double time = 0;                                     // s
   std::optional<double> immersion;                     // deg
   bool particles = false, hexes = false, tool = false; // which files it has
-  std::map<std::string, std::string> checksums;        // of these files, by part; none in lists of old runs
+  std::map<std::string, std::string> checksums = {};   // of these files, by part; none in lists of old runs
 };
 
 std::filesystem::path frame_file(const ResultsFolder& results, int index, const std::string& part);
