@@ -1,7 +1,10 @@
 #include "src/check.hpp"
 #include "src/accuracy.hpp"
+#include "src/check_cost.hpp"
+#include "src/check_scene.hpp"
 #include "src/hex_conversion.hpp"
 #include "src/run.hpp"
+#include "src/shape.hpp"
 #include "src/simulation.hpp"
 #include "src/windows.hpp"
 #include <chrono>
@@ -13,6 +16,9 @@
 
 namespace swarf {
 namespace {
+
+constexpr double most_cells_to_try = 4e6;
+constexpr double round_off = 1 - 1e-9; // what is as large as asked must not be found too small
 
 class Findings {
  public:
@@ -53,11 +59,11 @@ void check_cutting(const Deck& deck, const Scene& scene, Findings& found) {
   if (!cuts) return;
   const double chip = uncut_chip(deck, scene) / scene.spacing, edge = tool.edge_radius / scene.spacing;
   found.line("particles per uncut chip", "{:.1f}", chip);
-  if (chip < 4 && !deck.picked) // else the chart knows better
-    found.warn(fmt::format("{:.1f} particles across the uncut chip: take body.spacing <= {:.3g} um for 4",
+  if (chip < 4 * round_off && !deck.picked) // else the chart knows better
+    found.warn(fmt::format("{:.2f} particles across the uncut chip: take body.spacing <= {:.4g} um for 4",
                            chip, 1e6 * uncut_chip(deck, scene) / 4));
   found.line("particles per edge radius", "{:.1f}", edge);
-  if (tool.edge_radius > 0 && edge < 2)
+  if (tool.edge_radius > 0 && edge < 2 * round_off)
     found.warn(fmt::format("{:.1f} particles along the edge radius: the edge is not resolved", edge));
 }
 
@@ -73,7 +79,7 @@ void check_inertia(const Deck& deck, Findings& found) {
                  G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
     const double c = std::sqrt((K + 4 * G / 3) / m.density / deck.run.mass_factor);
     found.line("mass-scaled wave speed / tool speed", "{:.0f} ({})", c / speed, m.name);
-    if (c < 50 * speed)
+    if (c < 50 * speed * round_off)
       found.warn("inertia of the scaled mass will show in the force: lower run.mass_factor");
   }
 }
@@ -109,6 +115,46 @@ Deck plan_deck(const std::string& file, std::optional<AccuracyPlan>& plan) {
   return planned_deck(deck, *plan);
 }
 
+// Before anything is built: what would take minutes to look at is only counted.
+bool is_large(const Deck& deck, Findings& found) {
+  double cells = 0;
+  for (const BodyDeck& body : deck.bodies) cells += count_cells(deck, body);
+  if (cells <= most_cells_to_try) return false;
+  check_memory(deck);
+  found.line("cells of all bodies", "{:.4g}", cells);
+  found.warn(fmt::format("{:.3g} cells: too many to build and try here, so nothing else is known. swarf run "
+                         "--stop-after 10 tries them",
+                         cells));
+  return true;
+}
+
+// Ten steps, or as many as a few seconds take.
+int try_steps(Simulation& simulation, double end) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (int k = 1;; ++k) {
+    simulation.cut_step(end);
+    simulation.step();
+    if (simulation.steps_to_check() <= 0) simulation.check();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    if (k == 10 || taken.count() > 5 || simulation.time() >= end) return k;
+  }
+}
+
+void check_steps(const Deck& deck, double steps, double seconds, Findings& found) {
+  if (steps < 20) {
+    const MaterialDeck& m = deck.materials.front();
+    found.warn(
+        fmt::format("only {:.0f} step(s) to the end: look at run.end_time, run.mass_factor, and at "
+                    "material.{}.youngs_modulus = {:.3g} Pa and density = {:.3g} kg/m3, which give the step",
+                    steps, m.name, m.youngs_modulus, m.density));
+  }
+  if (seconds > 3.2e7)
+    found.warn(fmt::format(
+        "predicted to take {:.2g} years: end earlier (run.end_time), or take larger cells or a larger "
+        "run.mass_factor",
+        seconds / 3.156e7));
+}
+
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; } // of all threads
 
 } // namespace
@@ -121,9 +167,11 @@ int check_deck(const std::string& file) {
   std::optional<AccuracyPlan> plan;
   const Deck deck = plan_deck(file, plan);
   Findings found;
+  if (is_large(deck, found)) return found.warnings;
   Simulation simulation(deck);
   const Scene& scene = simulation.scene();
   simulation.start();
+  refuse_endless(deck, simulation);
   const double start_up = seconds();
   found.line("particles", "{} (+ {} tied, {} images)", scene.particles.whole, scene.tie.count,
              simulation.neighbors().images);
@@ -138,15 +186,16 @@ int check_deck(const std::string& file) {
   if (scene.conversion)
     found.line("hexes that may become particles", "{}, {} already have; the time below is that of now",
                scene.conversion->count(), scene.layout ? scene.layout->converted() : 0);
-  const double steps = end_time_of(deck) / simulation.dt();
+  const double steps = count_steps(deck, simulation);
   found.line("steps", "{:.4g} for {:.4g} s", steps, end_time_of(deck));
-  const int trial = 10;
-  const double cpu_begin = cpu_seconds();
-  for (int k = 0; k < trial; ++k) {
-    simulation.step();
-    if (simulation.steps_to_check() <= 0) simulation.check();
-  }
-  const double per_step = (seconds() - start_up) / trial;
+  if (const double heat = count_heat_steps(deck, simulation); heat > 0)
+    found.line("steps of conduction in a step", "{:.0f}", heat);
+  const SceneReport places = look_at_scene(deck, scene);
+  for (const auto& [name, value] : places.lines) found.line(name.c_str(), "{}", value);
+  std::fflush(stdout);
+  const double trial_begin = seconds(), cpu_begin = cpu_seconds();
+  const int trial = try_steps(simulation, end_time_of(deck));
+  const double per_step = (seconds() - trial_begin) / trial;
   const double core_seconds = steps * (cpu_seconds() - cpu_begin) / trial;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -159,7 +208,10 @@ int check_deck(const std::string& file) {
                cut_windows(deck, *deck.windows).size(), deck.sleep.distance ? "at least " : "",
                effort * steps * per_step, 100 * effort);
   }
-  found.line("memory", "{:.0f} MiB", double(usage.ru_maxrss) / 1024);
+  found.line("memory", "{:.0f} MiB of {:.1f} GiB", double(usage.ru_maxrss) / 1024,
+             machine_memory() / (1 << 30));
+  check_steps(deck, steps, steps * per_step, found);
+  for (const std::string& warning : places.warnings) found.warn(warning);
   check_cutting(deck, scene, found);
   check_inertia(deck, found);
   if (plan) {

@@ -1,8 +1,8 @@
 #include "src/child_process.hpp"
 #include "src/results.hpp"
+#include "src/signals.hpp"
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -24,22 +24,21 @@ void pass_on(int signal) {
 }
 
 void block(sigset_t& before) {
-  sigset_t both;
-  sigemptyset(&both), sigaddset(&both, SIGINT), sigaddset(&both, SIGTERM);
-  sigprocmask(SIG_BLOCK, &both, &before);
+  sigset_t all;
+  sigemptyset(&all);
+  for (const int signal : ending_signals) sigaddset(&all, signal);
+  sigprocmask(SIG_BLOCK, &all, &before);
 }
 
 } // namespace
 
 ChildProcesses::ChildProcesses() {
   signalled = 0;
-  struct sigaction action {};
-  action.sa_handler = pass_on, action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr), sigaction(SIGTERM, &action, nullptr);
+  handle_ending_signals(pass_on);
 }
 
 ChildProcesses::~ChildProcesses() {
-  std::signal(SIGINT, SIG_DFL), std::signal(SIGTERM, SIG_DFL);
+  handle_ending_signals(SIG_DFL);
   for (volatile pid_t& child : children)
     if (child > 0) kill(child, SIGTERM); // only after an error of the parent's
 }
@@ -60,7 +59,7 @@ pid_t ChildProcesses::start(std::vector<std::string> arguments, const std::files
   block(before);
   const pid_t parent = getpid(), child = fork();
   if (child == 0) { // between fork and exec only calls that need no lock
-    std::signal(SIGINT, SIG_DFL), std::signal(SIGTERM, SIG_DFL);
+    handle_ending_signals(SIG_DFL);
     sigprocmask(SIG_SETMASK, &before, nullptr);
     prctl(PR_SET_PDEATHSIG, SIGTERM); // it writes a checkpoint
     if (getppid() != parent) _exit(127);

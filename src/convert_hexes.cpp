@@ -285,13 +285,15 @@ void convert_hexes(const Deck& deck, Scene& scene, const std::vector<int>& chose
   scene.layout = layout;
 }
 
-void restore_conversion(const Deck& deck, Scene& scene, const ParticleCounts& counts) {
+bool restore_conversion(const Deck& deck, Scene& scene, const ParticleCounts& counts) {
   const auto layout =
       std::make_shared<const ConversionLayout>(lay_out(*scene.conversion, converted_hexes(scene)));
+  if (int(layout->free.size()) != counts.free || int(layout->tied.size()) != counts.tied) return false;
   scene.particles = allocate_particles(deck, counts.free + counts.tied);
   set_counts(scene.particles, counts.free, counts.tied);
   set_tie(scene, *layout), set_mesh(deck, scene, *layout);
   scene.layout = layout;
+  return true;
 }
 
 } // namespace swarf

@@ -15,6 +15,6 @@ void convert_hexes(const Deck& deck, Scene& scene, const std::vector<int>& chose
 struct ParticleCounts {
   int free, tied;
 };
-void restore_conversion(const Deck& deck, Scene& scene, const ParticleCounts& counts);
+bool restore_conversion(const Deck& deck, Scene& scene, const ParticleCounts& counts);
 
 } // namespace swarf

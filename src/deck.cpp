@@ -17,14 +17,15 @@ const std::vector<std::string> section_names = {"material", "body",   "tool", "c
 
 class DeckReader {
  public:
-  DeckReader(const std::string& file, const toml::table& table) : root(table), report(file) {
-    deck.file = file;
+  DeckReader(const StlPlace& from, const toml::table& table) : root(table), place(from), report(from.deck) {
+    deck.file = from.deck;
   }
   Deck read();
 
  private:
   const toml::table& root;
   const toml::table empty{};
+  StlPlace place;
   DeckReport report;
   Deck deck;
 
@@ -135,7 +136,7 @@ void DeckReader::read_tool() {
     ToolDeck tool;
     const std::size_t before = report.count();
     read_keys(table, "tool", tool_keys(), tool, report);
-    if (report.count() == before) check_tool(tool, table, deck.file, report);
+    if (report.count() == before) check_tool(tool, table, place, report);
     deck.tool = tool;
     if (root.contains("contact"))
       read_keys(find_section("contact"), "contact", contact_keys(), deck.contact, report);
@@ -210,6 +211,10 @@ std::string read_text(const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     throw DeckError(file + ": cannot read the deck: this is a folder. Give the path of a TOML file.");
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
+    throw DeckError(file +
+                    ": cannot read the deck: this is a pipe or a device, not a file. Give the path of a TOML "
+                    "file.");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (in && in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
@@ -237,11 +242,11 @@ double end_time_of(const Deck& deck) {
   return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;
 }
 
-Deck read_deck(const std::string& file) {
+Deck read_deck(const std::string& file, const std::string& stl) {
   const std::string text = read_text(file);
   try {
     const toml::table table = toml::parse(text, file);
-    return DeckReader(file, table).read();
+    return DeckReader({file, stl}, table).read();
   } catch (const toml::parse_error& error) {
     const std::string description(error.description());
     const bool is_after_value = description.find("expected a comment or whitespace") != std::string::npos;

@@ -131,6 +131,7 @@ struct RunDeck {
   std::optional<double> accuracy; // %, of the mean cutting force; sets others, see accuracy.hpp
   int accuracy_line = 0;          // of the deck, for messages
   int threads = 0;                // 0: all cores
+  double energy_tolerance = 2, energy_limit = 10; // %, of the energy given: where a run warns, where it ends
   Triple gravity{};
   bool operator==(const RunDeck&) const = default;
 };
@@ -193,7 +194,8 @@ struct Deck {
 
 // Throws DeckError with one line for each fault of the deck: faults of single sections first; those between
 // sections (names, ties, spindle) when there are no others.
-Deck read_deck(const std::string& file);
+// `stl` takes the place of the tool's STL file where that is missing: the copy that a results folder keeps.
+Deck read_deck(const std::string& file, const std::string& stl = "");
 
 bool conducts_heat(const Deck& deck);
 const MaterialDeck* find_material(const Deck& deck, const std::string& name); // null: there is none

@@ -1,5 +1,6 @@
 // What was changed in a deck, from the resolved texts, so that no key can be forgotten.
 #include "src/chart_settings.hpp"
+#include "src/restart_deck.hpp"
 #include <fmt/format.h>
 #include <map>
 #include <regex>
@@ -46,9 +47,10 @@ std::vector<std::pair<std::string, Section>> split(const std::string& resolved) 
 
 } // namespace
 
-std::vector<std::string> list_changes(const Deck& before, const Deck& after) {
+std::vector<std::string> list_text_changes(const std::string& before, const std::string& after,
+                                           bool exactly) {
   std::map<std::string, std::map<std::string, std::string>> old, now;
-  const auto old_sections = split(resolved_deck(before)), sections = split(resolved_deck(after));
+  const auto old_sections = split(before), sections = split(after);
   for (const auto& [name, section] : old_sections) old[name].insert(section.begin(), section.end());
   for (const auto& [name, section] : sections) now[name].insert(section.begin(), section.end());
   std::vector<std::string> changes;
@@ -57,10 +59,14 @@ std::vector<std::string> list_changes(const Deck& before, const Deck& after) {
   for (const auto& [name, section] : sections) {
     for (const auto& [key, value] : section) {
       const auto was = old[name].find(key);
-      const std::string new_text = shorten(value);
-      if (was == old[name].end())
+      std::string new_text = shorten(value);
+      if (was == old[name].end()) {
         changes.push_back(fmt::format("{} {} = {}", name, key, new_text));
-      else if (const std::string old_text = shorten(was->second); old_text != new_text)
+        continue;
+      }
+      std::string old_text = shorten(was->second);
+      if (exactly && old_text == new_text) old_text = was->second, new_text = value;
+      if (old_text != new_text)
         changes.push_back(fmt::format("{} {} = {}, was {}", name, key, new_text, old_text));
     }
     for (const auto& [key, value] : old[name])
@@ -68,6 +74,10 @@ std::vector<std::string> list_changes(const Deck& before, const Deck& after) {
         changes.push_back(fmt::format("{} {} left out", name, key));
   }
   return changes;
+}
+
+std::vector<std::string> list_changes(const Deck& before, const Deck& after) {
+  return list_text_changes(resolved_deck(before), resolved_deck(after), false);
 }
 
 } // namespace swarf

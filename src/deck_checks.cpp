@@ -166,6 +166,23 @@ void check_spindle(const Deck& deck, const toml::table& root, DeckReport& report
                            *deck.run.end_immersion * 360 / whole_turn));
 }
 
+// A slice repeats itself along z; an edge that leans does not.
+void check_slice(const Deck& deck, const toml::table& root, DeckReport& report) {
+  if (!deck.tool) return;
+  const bool leans = deck.tool->helix != 0 || deck.tool->inclination != 0;
+  for (const BodyDeck& body : deck.bodies)
+    for (const FaceDeck& face : body.faces) {
+      if (!leans || face.kind != "periodic" || (face.face != "z_min" && face.face != "bottom")) continue;
+      const std::string key = deck.tool->kind == "wedge" ? "inclination" : "helix";
+      return report.add(
+          find_place(*root["tool"].as_table(), key), "tool." + key,
+          fmt::format("an edge that leans does not go with the periodic slice \"{}\" of line {}, which "
+                      "repeats itself "
+                      "along z. Use \"0 deg\", or leave its faces free and model the whole depth of cut",
+                      body.name, body.line));
+    }
+}
+
 } // namespace
 
 std::vector<std::string> list_faces(const BodyDeck& body) {
@@ -204,7 +221,7 @@ void check_body(const BodyDeck& body, const toml::table& table, DeckReport& repo
   check_faces(body, table, report);
 }
 
-void check_tool(ToolDeck& tool, const toml::table& table, const std::string& deck_file, DeckReport& report) {
+void check_tool(ToolDeck& tool, const toml::table& table, const StlPlace& place, DeckReport& report) {
   if (tool.kind == "end_mill" && 2 * tool.runout >= tool.diameter)
     report.add(find_place(table, "runout"), "tool.runout",
                fmt::format("expected less than the mill's radius of {} m, got {} m", tool.diameter / 2,
@@ -227,7 +244,9 @@ void check_tool(ToolDeck& tool, const toml::table& table, const std::string& dec
   if (tool.kind != "stl") return;
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path path = fs::absolute(fs::path(deck_file).parent_path() / tool.file, error).lexically_normal();
+  fs::path path = fs::absolute(fs::path(place.deck).parent_path() / tool.file, error).lexically_normal();
+  if (!fs::is_regular_file(path, error) && fs::is_regular_file(place.instead, error))
+    path = fs::absolute(place.instead, error).lexically_normal();
   if (!fs::is_regular_file(path, error))
     report.add(find_place(table, "file"), "tool.file",
                fmt::format("there is no file {}. Give the path of an STL file, relative to the deck",
@@ -246,6 +265,7 @@ void check_deck(const Deck& deck, const toml::table& root, DeckReport& report) {
   check_names(deck, bodies, report);
   check_ties(deck, bodies, report);
   check_spindle(deck, root, report);
+  check_slice(deck, root, report);
   check_methods(deck, root, report);
   for (std::size_t i = 0; i < deck.bodies.size(); ++i)
     if (deck.bodies[i].previous_tooth && (!deck.tool || deck.tool->kind != "end_mill"))

@@ -7,7 +7,10 @@ namespace swarf {
 void check_material(const MaterialDeck& material, const toml::table& table, DeckReport& report);
 void check_body(const BodyDeck& body, const toml::table& table, DeckReport& report);
 // Also makes the STL file's name absolute, so that the resolved deck can be read from any folder.
-void check_tool(ToolDeck& tool, const toml::table& table, const std::string& deck_file, DeckReport& report);
+struct StlPlace {
+  std::string deck, instead; // the deck's file, and the STL to take where the one it names is missing
+};
+void check_tool(ToolDeck& tool, const toml::table& table, const StlPlace& place, DeckReport& report);
 void check_output(const OutputDeck& output, const toml::table& table, DeckReport& report);
 
 // Between sections; `root` is the whole deck.

@@ -118,7 +118,14 @@ const Keys<RunDeck>& run_keys() {
        "tool's extent and output.force_scale, body.tie, courant, mass_factor, sleep.distance and [particles] "
        "but skin; [windows] are left out where the whole pass is the better choice. Needs a wedge and "
        "blocks, or an end mill and rings"},
-      {"threads", &R::threads, D::none, Range{0, 4096}, "0", always, "of the computation; 0: all cores"},
+      {"energy_tolerance", &R::energy_tolerance, D::percentage, positive, R"("2 %")", always,
+       "the run warns where its energy balance is off by more than this share of what it was given: initial "
+       "energy, the most external work so far, and what all bodies would have at the speed of the tool or of "
+       "driven faces"},
+      {"energy_limit", &R::energy_limit, D::percentage, positive, R"("10 %")", always,
+       "where the balance is off by more the run ends, with exit status 3"},
+      {"threads", &R::threads, D::none, Range{0, 4096}, "0", always,
+       "of the computation, at most one a core; 0: all cores"},
       {"gravity", &R::gravity, D::acceleration, any, R"(["0 m/s2", "0 m/s2", "0 m/s2"])", always,
        "acts on all bodies"},
   };

@@ -50,9 +50,9 @@ std::string read_number(const toml::node& node, const ValueRule& rule, const std
     x = *node.value<double>();
     if (!std::isfinite(x)) return fmt::format("expected a finite number, got {}", show(node));
   } else if (node.is_number()) {
-    const std::string unit = text.example.substr(text.example.find(' ') + 1);
-    const std::string advice =
-        std::isfinite(*node.value<double>()) ? fmt::format(". Write {}\"{} {}\"", as, show(node), unit) : "";
+    const std::string advice = std::isfinite(*node.value<double>())
+                                   ? fmt::format(". In SI units, write {}\"{} {}\"", as, show(node), text.si)
+                                   : "";
     return fmt::format("expected {} with a unit such as \"{}\", got {}{}", text.name, text.example,
                        show(node), advice);
   } else if (node.is_string()) {

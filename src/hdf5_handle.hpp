@@ -2,6 +2,7 @@
 #pragma once
 #include <hdf5.h>
 
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -87,20 +88,29 @@ inline bool write_attribute(hid_t object, const char* name, int value) {
   return attribute.ok() && H5Awrite(attribute, H5T_NATIVE_INT, &value) >= 0;
 }
 
-// "" and -1 stand for: not there.
+// One value and no more: others would be read past the end of ours.
+inline bool is_single(hid_t attribute) {
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  return space.ok() && H5Sget_simple_extent_npoints(space) == 1;
+}
+
+// "" and -1 stand for: not there, or not of this kind.
 inline std::string read_text_attribute(hid_t object, const char* name) {
   const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  if (!attribute.ok()) return "";
+  if (!attribute.ok() || !is_single(attribute)) return "";
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
-  if (!type.ok() || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
+  if (!type.ok() || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return "";
   std::string text(H5Tget_size(type), '\0');
   if (H5Aread(attribute, type, text.data()) < 0) return "";
-  return text.c_str();
+  return std::string(text.c_str(), strnlen(text.data(), text.size()));
 }
 inline int read_int_attribute(hid_t object, const char* name) {
   const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  if (!attribute.ok() || !is_single(attribute)) return -1;
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
   int value = -1;
-  if (!attribute.ok() || H5Aread(attribute, H5T_NATIVE_INT, &value) < 0) return -1;
+  if (!type.ok() || H5Tget_class(type) != H5T_INTEGER || H5Aread(attribute, H5T_NATIVE_INT, &value) < 0)
+    return -1;
   return value;
 }
 

@@ -106,9 +106,7 @@ std::vector<double> history_row(const HistorySample& sample, int teeth) {
 
 HistoryFile::HistoryFile(const fs::path& file, int number_of_teeth) : name(file), teeth(number_of_teeth) {
   descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor < 0)
-    throw ResultsError(fmt::format("{}: cannot write the history: {}; choose a folder that you may write",
-                                   file.string(), std::strerror(errno)));
+  if (descriptor < 0) fail_to(file, "write the history", errno);
   write(header_line(history_columns(teeth)));
 }
 
@@ -145,11 +143,7 @@ void HistoryFile::write(const std::string& line) {
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor, rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0)
-      throw ResultsError(
-          fmt::format("{}: cannot write the history: {}; free some space on that disk, or choose "
-                      "another folder with --output",
-                      name.string(), std::strerror(errno)));
+    if (written < 0) fail_to(name, "write the history", errno);
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
 }

@@ -31,10 +31,22 @@ void scale_points(vtkPointSet* set) {
   points->Modified();
 }
 
+// VTK's readers believe what a file says of its own lengths: only what the run wrote is shown to them.
+void check_bytes(const std::filesystem::path& file, const FrameEntry& entry, const std::string& part) {
+  const std::string bytes = read_text(file); // says what the system says if it is not there
+  const auto sum = entry.checksums.find(part);
+  if (sum != entry.checksums.end() && hash_text(bytes) != sum->second)
+    throw ResultsError(
+        fmt::format("{}: is not what the run wrote: it was changed or damaged since; copy it again, or "
+                    "resume the run from its checkpoint",
+                    file.string()));
+}
+
 template <class Reader>
-void read(Reader* reader, const std::filesystem::path& file) {
-  static_cast<void>(read_text(file).size()); // says what the system says if it is not there
-  vtkNew<vtkCallbackCommand> quiet;          // an observer keeps VTK from printing errors
+void read(Reader* reader, const std::filesystem::path& file, const FrameEntry& entry,
+          const std::string& part) {
+  check_bytes(file, entry, part);
+  vtkNew<vtkCallbackCommand> quiet; // an observer keeps VTK from printing errors
   reader->AddObserver(vtkCommand::ErrorEvent, quiet);
   reader->SetParserErrorObserver(quiet);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
@@ -146,7 +158,7 @@ LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, co
   if (entry.particles) {
     const auto file = frame_file(results, entry.index, "particles");
     vtkNew<vtkXMLUnstructuredGridReader> reader;
-    read(reader.Get(), file);
+    read(reader.Get(), file, entry, "particles");
     const auto present = present_particles(reader->GetOutput());
     frame.particles = vtkSmartPointer<vtkPolyData>::New();
     frame.particles->SetPoints(present->GetPoints());
@@ -159,7 +171,7 @@ LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, co
   if (entry.hexes) {
     const auto file = frame_file(results, entry.index, "hexes");
     vtkNew<vtkXMLUnstructuredGridReader> reader;
-    read(reader.Get(), file);
+    read(reader.Get(), file, entry, "hexes");
     vtkUnstructuredGrid* grid = reader->GetOutput();
     if (grid->GetPointData()->HasArray(field.name.c_str()))
       add_shown(grid->GetPointData(), field, file);
@@ -169,7 +181,7 @@ LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, co
   }
   if (entry.tool) {
     vtkNew<vtkXMLPolyDataReader> reader;
-    read(reader.Get(), frame_file(results, entry.index, "tool"));
+    read(reader.Get(), frame_file(results, entry.index, "tool"), entry, "tool");
     frame.tool = reader->GetOutput();
   }
   return frame;

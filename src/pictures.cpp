@@ -2,7 +2,7 @@
 #include "src/join_windows.hpp"
 #include "src/plot.hpp"
 #include "src/render.hpp"
-#include <fmt/format.h>
+#include "src/say.hpp"
 
 namespace swarf {
 
@@ -10,9 +10,9 @@ void draw_windows(const std::string& results) {
   try {
     const PassFolder folder{results};
     plot_windows(folder, read_deck(folder.deck().string()).output.published);
-    fmt::print("picture: {}\n", folder.picture().string());
+    say("picture: {}\n", folder.picture().string());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "swarf: no picture: {}\n", error.what());
+    complain("no picture: {}", error.what());
   }
 }
 
@@ -21,8 +21,8 @@ void draw_plots(const std::string& results) {
   if (has_windows) draw_windows(results);
   if (has_windows && !std::filesystem::exists(ResultsFolder{results}.history())) return;
   const ResultsFolder folder = open_results(results);
-  const Deck deck = read_deck(folder.deck().string());
-  std::filesystem::create_directories(folder.pictures());
+  const Deck deck = read_deck(folder.deck().string(), folder.tool().string());
+  make_folder(folder.pictures());
   plot_forces(folder, folder.pictures() / "force.png", deck.output.published, deck.output.filter_frequency);
   plot_energies(folder, folder.pictures() / "energy.png");
 }
@@ -31,9 +31,9 @@ void draw_all(const std::string& results) {
   try {
     draw_plots(results);
     render_strip(results);
-    fmt::print("pictures: {}\n", open_results(results).pictures().string());
+    say("pictures: {}\n", open_results(results).pictures().string());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "swarf: no pictures: {}\n", error.what());
+    complain("no pictures: {}", error.what());
   }
 }
 

@@ -1,4 +1,5 @@
 #include "src/progress.hpp"
+#include "src/say.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -23,16 +24,14 @@ void Progress::show(const Simulation& s, const HistorySample& h) {
   const std::string angle = spindle ? fmt::format(" {:6.2f} deg", h.immersion) : "";
   const double measure = std::max(std::abs(h.external), initial_kinetic);
   const double relative = measure > 0 ? 100 * h.residual / measure : 0;
-  fmt::print("{}{:5.1f} %{} | step {} dt {:.3g} s by {} | {:.2f} M particle-steps/s | {:.0f} s left | planar "
-             "{:.3g} N | hottest {:.0f} K | energy residual {:+.2f} %{}",
-             terminal ? "\r" : "", 100 * s.time() / end, angle, s.step_count(), h.dt, s.limiter(), rate / 1e6,
-             left, std::hypot(h.force[0], h.force[1]), h.max_temperature, relative,
-             terminal ? "\033[K" : "\n");
-  std::fflush(stdout);
+  say("{}{:5.1f} %{} | step {} dt {:.3g} s by {} | {:.2f} M particle-steps/s | {:.0f} s left | planar "
+      "{:.3g} N | hottest {:.0f} K | energy residual {:+.2f} %{}",
+      terminal ? "\r" : "", 100 * s.time() / end, angle, s.step_count(), h.dt, s.limiter(), rate / 1e6, left,
+      std::hypot(h.force[0], h.force[1]), h.max_temperature, relative, terminal ? "\033[K" : "\n");
 }
 
 void Progress::finish() {
-  if (terminal) fmt::print("\n");
+  if (terminal) say("\n");
 }
 
 } // namespace swarf

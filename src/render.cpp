@@ -3,6 +3,7 @@
 #include "src/display.hpp"
 #include "src/png.hpp"
 #include "src/render_view.hpp"
+#include "src/say.hpp"
 
 #include <fmt/format.h>
 
@@ -199,12 +200,12 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
 
 bool render_strip(const std::string& results_folder) {
   const ResultsFolder results = open_results(results_folder);
-  const Deck deck = read_deck(results.deck().string());
+  const Deck deck = read_deck(results.deck().string(), results.tool().string());
   if (const std::string why_not = open_display(); !why_not.empty()) {
-    fmt::print(stderr, "swarf: no pictures of the chip: {}\n", why_not);
+    complain("no pictures of the chip: {}", why_not);
     return false;
   }
-  fs::create_directories(results.pictures());
+  make_folder(results.pictures());
   std::vector<double> angles = deck.output.picture_immersion;
   for (double& angle : angles) angle *= 180 / M_PI;
   const auto chosen = choose_frames(read_frame_list(results), angles, deck.output.picture_time);

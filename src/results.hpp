@@ -27,13 +27,26 @@ struct ResultsFolder {
   std::filesystem::path frame_list() const { return path / "frames.csv"; }
   std::filesystem::path paraview() const { return path / "frames.pvd"; }
   std::filesystem::path pictures() const { return path / "pictures"; }
+  std::filesystem::path tool() const { return path / "tool.stl"; }
 };
 
-// A folder for a new run: made if missing, and emptied of the files that an earlier run of swarf left (no
-// others are touched). Throws ResultsError if it cannot be written.
-ResultsFolder create_results(const std::filesystem::path& folder);
+// Throws ResultsError where a new run must not write: over one of `inputs`, over a file that swarf did not
+// write, or, unless `overwrite`, over the results of an earlier run. Changes nothing.
+void check_free(const std::filesystem::path& folder, const std::vector<std::string>& inputs, bool overwrite);
+// A folder for a new run: made if missing, and emptied of the files of an earlier run, no others. Throws
+// ResultsError if it cannot be written, or as check_free does.
+ResultsFolder create_results(const std::filesystem::path& folder, bool overwrite = false);
 // The folder of a run that exists (restart, plot, render). Throws ResultsError if it holds no history.
 ResultsFolder open_results(const std::filesystem::path& folder);
+// Whether swarf wrote this deck: resolved decks say so in their first line.
+inline constexpr const char* resolved_mark = "# Written by swarf:";
+bool is_resolved_deck(const std::filesystem::path& file);
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b); // and both are there
+
+// ResultsError "FILE: cannot ACTION: what the system says; what to do", for an error number of the system.
+[[noreturn]] void fail_to(const std::filesystem::path& file, const std::string& action, int error);
+const char* advice_on(int error);                      // the last part of it
+void make_folder(const std::filesystem::path& folder); // with those above it
 
 // Writes FILE.tmp, flushes it to the disk and renames it: at every moment FILE is absent, the old or the new
 // one.

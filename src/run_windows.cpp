@@ -1,11 +1,14 @@
 #include "src/run_windows.hpp"
 #include "src/accuracy.hpp"
 #include "src/child_process.hpp"
+#include "src/folder_lock.hpp"
 #include "src/join_windows.hpp"
 #include "src/pictures.hpp"
 #include "src/plot.hpp"
+#include "src/say.hpp"
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <deque>
 #include <fmt/format.h>
@@ -67,7 +70,10 @@ class WindowsRun {
   }
 
   int run() {
-    create();
+    check_inputs();
+    const FolderLock lock(folder.path);
+    check_windows();
+    write_file(folder.deck(), resolved_deck(whole));
     const auto begin = std::chrono::steady_clock::now();
     run_all();
     measure();
@@ -92,14 +98,46 @@ class WindowsRun {
   WindowFiles files(const WindowResult& r) const { return {folder.path / r.window.name}; }
   double degrees(const WindowResult& r) const { return r.window.centre * 180 / std::numbers::pi; }
 
-  void create() const {
-    std::error_code error;
-    fs::create_directories(folder.path, error);
-    if (error)
+  // Nothing that the user wrote is written over.
+  void check_inputs() const {
+    std::vector<fs::path> ours{folder.deck(), folder.table(), folder.summary(), folder.picture()};
+    for (const WindowResult& r : results)
+      ours.push_back(files(r).file(".toml")), ours.push_back(files(r).file(".log"));
+    for (const fs::path& file : ours)
+      if (is_same_file(file, options.deck))
+        throw ResultsError(
+            fmt::format("{}: the results would be written over this deck; choose another folder with "
+                        "--output",
+                        file.string()));
+    std::error_code ignored;
+    for (const fs::path& file : ours)
+      if (fs::exists(file, ignored) && !fs::exists(folder.deck(), ignored))
+        throw ResultsError(
+            fmt::format("{}: is in the way: nothing says that swarf wrote it (no windows.toml beside "
+                        "it); move it, or choose another folder with --output",
+                        file.string()));
+    if (fs::exists(folder.deck(), ignored) && !is_resolved_deck(folder.deck()))
       throw ResultsError(
-          fmt::format("{}: cannot make the results folder: {}; choose another one with --output",
-                      folder.path.string(), error.message()));
-    write_file(folder.deck(), resolved_deck(whole));
+          fmt::format("{}: is in the way: swarf did not write it; move it, or choose another folder with "
+                      "--output",
+                      folder.deck().string()));
+  }
+
+  // Windows that are complete stay. What is unfinished, or of another deck, is lost only if asked for.
+  void check_windows() const {
+    for (const WindowResult& r : results) {
+      const WindowFiles f = files(r);
+      std::error_code ignored;
+      if (options.overwrite || f.is_complete(r.window.deck) || !fs::exists(f.results().history(), ignored))
+        continue;
+      const bool other = !f.is_of(r.window.deck);
+      if (!other && options.resume) continue;
+      throw ResultsError(
+          fmt::format("{}: holds {}; {}replace it with --overwrite, or choose another folder with "
+                      "--output",
+                      f.stem.string(), other ? "a window of another deck" : "an unfinished window",
+                      other ? "" : "go on from its checkpoint with --resume, "));
+    }
   }
 
   void run_all() {
@@ -111,7 +149,7 @@ class WindowsRun {
     for (WindowResult& r : results) {
       r.core_seconds = files(r).core_seconds();
       if (files(r).is_complete(r.window.deck))
-        r.ended = "complete", fmt::print("window {:.6g} deg: complete already\n", degrees(r));
+        r.ended = "complete", say("window {:.6g} deg: complete already\n", degrees(r));
       else
         waiting.push_back(&r);
     }
@@ -139,25 +177,24 @@ class WindowsRun {
     std::vector<std::string> arguments{"run", deck, "--output", files(r).stem.string(), "--no-pictures"};
     const int threads = how.threads > 0 ? how.threads : how.jobs > 1 ? 1 : 0;
     if (threads > 0) arguments.insert(arguments.end(), {"--threads", std::to_string(threads)});
-    if (resume) arguments.push_back("--resume");
-    fmt::print("window {:.6g} deg: {}, see {}\n", degrees(r), resume ? "goes on" : "starts",
-               files(r).file(".log").string());
-    std::fflush(stdout);
+    arguments.push_back(resume ? "--resume" : "--overwrite"); // as check_windows has found right
+    say("window {:.6g} deg: {}, see {}\n", degrees(r), resume ? "goes on" : "starts",
+        files(r).file(".log").string());
     return children.start(arguments, files(r).file(".log"), resume);
   }
 
   void finish(WindowResult& r, const EndedChild& child) const {
     r.core_seconds += child.core_seconds;
     write_file(files(r).file(".core_seconds"), fmt::format("{}\n", r.core_seconds));
-    const bool by_signal = child.status == 130 || child.status == 128 + 2 || child.status == 128 + 15;
+    const bool by_signal =
+        child.status == 130 || child.status == 128 + SIGINT || child.status == 128 + SIGTERM;
     if (child.status == 0 && files(r).is_complete(r.window.deck))
       r.ended = "complete";
     else if (by_signal)
       r.ended = "interrupted";
     else
       r.ended = fmt::format("failed with exit status {}: {}", child.status, files(r).last_words());
-    fmt::print("window {:.6g} deg: {} ({:.1f} core-seconds)\n", degrees(r), r.ended, r.core_seconds);
-    std::fflush(stdout);
+    say("window {:.6g} deg: {} ({:.1f} core-seconds)\n", degrees(r), r.ended, r.core_seconds);
   }
 
   void measure() {
@@ -177,36 +214,33 @@ class WindowsRun {
     double core_seconds = 0;
     std::string unfinished;
     std::vector<double> immersion, force;
-    fmt::print(
-        "\nimmersion [deg]  uncut chip [um]  planar force [N]      F_x       F_y       F_z  core-seconds\n");
+    say("\nimmersion [deg]  uncut chip [um]  planar force [N]      F_x       F_y       F_z  core-seconds\n");
     for (const WindowResult& r : results) {
       core_seconds += r.core_seconds;
       const auto& m = r.force.mean;
       if (r.is_complete()) immersion.push_back(degrees(r)), force.push_back(m[3]);
       if (r.is_complete())
-        fmt::print("{:15.6g}  {:15.2f}  {:8.3f} +- {:.3f}  {:8.3f}  {:8.3f}  {:8.3f}  {:12.1f}\n", degrees(r),
-                   1e6 * r.window.uncut_chip, m[3], r.force.error[3], m[0], m[1], m[2], r.core_seconds);
+        say("{:15.6g}  {:15.2f}  {:8.3f} +- {:.3f}  {:8.3f}  {:8.3f}  {:8.3f}  {:12.1f}\n", degrees(r),
+            1e6 * r.window.uncut_chip, m[3], r.force.error[3], m[0], m[1], m[2], r.core_seconds);
       else
         unfinished += fmt::format("  {:.6g} deg: {}\n", degrees(r), r.ended);
     }
     if (const double scatter = scatter_between(immersion, force); !std::isnan(scatter))
-      fmt::print("windows scatter by {:.3f} N about a sine: an error of each besides its own\n", scatter);
-    fmt::print("{:.0f} core-seconds; the whole pass is predicted to take {}{:.0f}\nresults: {}\n",
-               core_seconds, whole.sleep.distance ? "at most, for more of it sleeps, " : "",
-               predict_whole_pass(whole, results), folder.table().string());
+      say("windows scatter by {:.3f} N about a sine: an error of each besides its own\n", scatter);
+    say("{:.0f} core-seconds; the whole pass is predicted to take {}{:.0f}\nresults: {}\n", core_seconds,
+        whole.sleep.distance ? "at most, for more of it sleeps, " : "", predict_whole_pass(whole, results),
+        folder.table().string());
     if (unfinished.empty()) return;
-    std::fflush(stdout);
-    fmt::print(stderr,
-               "swarf: these windows are missing; run the same command again, with --resume to go on "
-               "from checkpoints:\n{}",
-               unfinished);
+    complain("these windows are missing; run the same command again, with --resume to go on "
+             "from checkpoints, --overwrite to start them anew:\n{}",
+             unfinished);
   }
 };
 
 } // namespace
 
 int run_windows(const Deck& deck, const RunOptions& options, const WindowsOptions& how) {
-  fmt::print("{}", show_pick(deck));
+  say("{}", show_pick(deck));
   if (options.stop_after > 0)
     throw DeckError(
         "--stop-after does not go with windows: each must reach its end to be measured. Leave one out.");

@@ -1,4 +1,5 @@
 #include "src/scene.hpp"
+#include "src/deck_lines.hpp"
 #include "src/hex_conversion.hpp"
 #include "src/scene_parts.hpp"
 #include "src/tool_cells.hpp"
@@ -41,6 +42,7 @@ namespace {
 std::vector<FilledBody> fill_bodies(const Deck& deck) {
   std::vector<Shape> shapes; // all counts are checked before the first body is filled
   for (const BodyDeck& body : deck.bodies) shapes.push_back(make_shape(deck, body));
+  check_memory(deck);
   std::vector<FilledBody> bodies;
   int particles = 0, nodes = 0, hexes = 0;
   for (std::size_t row = 0; row < deck.bodies.size(); ++row) {
@@ -138,9 +140,23 @@ std::vector<TiedPoint> tie_bodies(const Deck& deck, const std::vector<FilledBody
   return tied;
 }
 
+// The geometry's own words, at the key of the deck that they are about.
+FacetSurface make_surface(const Deck& deck) {
+  try {
+    return make_tool_surface(*deck.tool, std::filesystem::path(deck.file).parent_path().string());
+  } catch (const DeckError& error) {
+    const std::string what = error.what();
+    const bool is_file = deck.tool->kind == "stl";
+    const bool names_key = what.starts_with("tool.");
+    const std::string key = is_file ? "file" : names_key ? what.substr(5, what.find(':') - 5) : "kind";
+    throw DeckError(
+        fmt::format("{}: {}{}.", line_of(deck.file, "[tool]", key), is_file ? "tool.file: " : "", what));
+  }
+}
+
 void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& scene) {
-  const FacetSurface surface =
-      make_tool_surface(*deck.tool, std::filesystem::path(deck.file).parent_path().string());
+  const FacetSurface surface = make_surface(deck);
+  scene.collapsed_facets = surface.collapsed;
   for (const auto& f : surface.facets)
     scene.tool_facets.push_back({surface.vertices[f[0]], surface.vertices[f[1]], surface.vertices[f[2]]});
   double cell = 0; // largest, so that gaps and penetrations of a cell stay within reach

@@ -27,6 +27,7 @@ struct Scene {
   ConstraintTable constraints;
   HeldRows held_rows;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
+  int collapsed_facets = 0;                       // of the tool's file, left out
   Tool tool;
   double heat_reach = 0;   // m, how far into the tool heat is followed; 0: it does not conduct
   double spacing = 0;      // of the finest particles, m; 0 without particles

@@ -1,15 +1,16 @@
+#include "src/deck_lines.hpp"
 #include "src/scene_parts.hpp"
 #include "src/tool_geometry.hpp"
 #include "swarf/kernels.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace swarf {
 namespace {
 
-constexpr double tolerance = 0.05; // of a cell
+constexpr double tolerance = 0.05;       // of a cell
+constexpr double touch_tolerance = 1e-3; // of a cell, of bodies and a tool that are placed to touch
 
 // Centres of the cells of a body, and how far each is from its own surface at least.
 struct Centres {
@@ -41,18 +42,12 @@ Centres find_centres(const FilledBody& body) {
   return c;
 }
 
-// Line of a section in the deck's file, which a Deck does not keep; 0 without the file.
-int find_line(const std::string& file, const std::string& section) {
-  std::ifstream deck(file);
-  std::string text;
-  for (int line = 1; std::getline(deck, text); ++line)
-    if (text.find_first_not_of(" \t") == text.find(section) && text.find(section) != std::string::npos)
-      return line;
+int body_of_node(const Scene& scene, int node) {
+  const auto corner = host_copy(scene.hexes.connectivity);
+  for (int e = 0; e < scene.hexes.points.count; ++e)
+    for (int a = 0; a < 8; ++a)
+      if (corner(e, a) == node) return host_copy(scene.hex_body)(e);
   return 0;
-}
-
-int count_inside(const Tool& tool, const ToolPose& pose, ContactPoints points, double depth) {
-  return points.count > 0 ? count_points_inside(points, tool, pose, Real(depth)) : 0;
 }
 
 } // namespace
@@ -81,9 +76,9 @@ void check_sleep(const Deck& deck, const Scene& scene) {
                          const char* measure, const char* without) {
     if (!distance || *distance >= least) return;
     throw DeckError(fmt::format(
-        "{}:{}: {}.distance: expected at least {:.3g} um, twice the reach of a kernel{}, got {:.3g} um. Make "
+        "{}: {}.distance: expected at least {:.3g} um, twice the reach of a kernel{}, got {:.3g} um. Make "
         "it larger, or leave it out so that nothing {}.",
-        deck.file, find_line(deck.file, "[" + section + "]"), section, 1e6 * least, measure, 1e6 * *distance,
+        line_of(deck.file, "[" + section + "]", "distance"), section, 1e6 * least, measure, 1e6 * *distance,
         without));
   };
   check("sleep", deck.sleep.distance, 2 * (scene.cutoff + scene.hex_diagonal), " and a hex", "sleeps");
@@ -96,17 +91,27 @@ void check_tool_outside(const Deck& deck, const Scene& scene) {
   const HexMesh& m = scene.hexes;
   ContactPoints of_particles, of_nodes;
   of_particles.count = p.count, of_particles.position = p.position, of_particles.area = p.contact_area;
+  of_particles.gap = p.contact_gap;
   of_nodes.count = m.nodes, of_nodes.position = m.position, of_nodes.area = m.contact_area;
+  of_nodes.gap = m.contact_gap;
   const ToolPose pose = tool_pose(*deck.tool, 0);
-  const double depth = tolerance * (scene.spacing > 0 ? scene.spacing : double(scene.tool.reach) / 2);
-  const int particles = count_inside(scene.tool, pose, of_particles, depth);
-  const int nodes = count_inside(scene.tool, pose, of_nodes, depth);
-  if (particles + nodes == 0) return;
-  throw DeckError(
-      fmt::format("{}:{}: tool.position: {} of {} particles and {} nodes lie inside the tool at the start: "
-                  "expected none. Move the tool or the bodies{}.",
-                  deck.file, find_line(deck.file, "[tool]"), particles, p.count, nodes,
-                  deck.tool->kind == "end_mill" ? ", or choose a start_angle outside of the material" : ""));
+  const double cell = scene.spacing > 0 ? scene.spacing : double(scene.tool.reach) / 2;
+  for (const ContactPoints* points : {&of_particles, &of_nodes}) {
+    const ClosestPoint deepest = find_closest_point(*points, scene.tool, pose);
+    if (deepest.row < 0 || deepest.depth <= touch_tolerance * cell) continue;
+    const bool is_node = points == &of_nodes;
+    const BodyDeck& body =
+        deck.bodies[std::size_t(is_node ? body_of_node(scene, deepest.row) : host_copy(p.body)(deepest.row))];
+    const Vector3 x = load_vector(host_copy(points->position), deepest.row);
+    const bool is_known = deepest.depth < scene.tool.reach;
+    throw DeckError(fmt::format(
+        "{}: tool.position: the tool overlaps body \"{}\" of line {} by {}{:.4g} um at the start, deepest at "
+        "({:.6g}, {:.6g}, {:.6g}) m{}: expected none. Move the tool or the body apart{}.",
+        line_of(deck.file, "[tool]", "position"), body.name, body.line, is_known ? "" : "more than ",
+        1e6 * std::min(double(deepest.depth), double(scene.tool.reach)), x.x, x.y, x.z,
+        is_node ? "" : ", the centre of a particle, whose own surface lies half a spacing around it",
+        deck.tool->kind == "end_mill" ? ", or choose a start_angle outside of the material" : ""));
+  }
 }
 
 } // namespace swarf

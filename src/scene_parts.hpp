@@ -43,7 +43,8 @@ void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies);
 // Throws DeckError: sleep begins where kernels of points at the action still reach.
 void check_sleep(const Deck& deck, const Scene& scene);
 
-// Throws DeckError: particles or nodes lie in the tool, by more than 5 % of the spacing.
+// Throws DeckError: particles or nodes are in contact with the tool, by more than the round-off of scenes
+// that are placed to touch; their springs would give energy that nobody put in.
 void check_tool_outside(const Deck& deck, const Scene& scene);
 
 } // namespace swarf

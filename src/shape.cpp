@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <unistd.h>
@@ -89,15 +90,62 @@ void check_meshable(const Deck& deck, const BodyDeck& b, const Triple& n) {
         fmt::format("expected at least 3 hexes around the ring, got {:.0f}. Make the hexes smaller", n[0]));
 }
 
+// Kernels are round: along the long edges particles would not see each other, across they would see
+// thousands.
+void check_cell_shape(const Deck& deck, const BodyDeck& body, const Triple& n) {
+  Triple edge = extents(body);
+  for (std::size_t d = 0; d < 3; ++d) edge[d] /= n[d];
+  const double most = body.fill == "particles" ? 10 : 1000;
+  const auto [least, largest] = std::minmax_element(edge.begin(), edge.end());
+  if (*largest <= most * *least) return;
+  reject(
+      deck, body, body.cells ? "cells" : "spacing",
+      fmt::format(
+          "makes cells of {:.3g} m by {:.3g} m by {:.3g} m: expected edges of which none is more than {:.0f} "
+          "times another. Look at the units of its sizes, or change the counts",
+          edge[0], edge[1], edge[2], most));
+}
+
 } // namespace
 
 double count_cells(const Deck& deck, const BodyDeck& body) { return cells_of(body, find_cells(deck, body)); }
 
+// Of the machine, or what its administrator leaves to this group of processes.
+double machine_memory() {
+  const double all = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  double granted = all;
+  std::ifstream limit("/sys/fs/cgroup/memory.max"); // "max" where there is none
+  if (double bytes = 0; limit >> bytes) granted = bytes;
+  return std::min(all, granted);
+}
+
+void check_memory(const Deck& deck) {
+  double sum = 0;
+  std::string parts;
+  const auto gib = [](double bytes) { return bytes / (1 << 30); };
+  for (const BodyDeck& body : deck.bodies) {
+    const double bytes = count_cells(deck, body) * bytes_per_cell;
+    sum += bytes;
+    parts += fmt::format("{}\"{}\" {:.3g}", parts.empty() ? "" : ", ", body.name, gib(bytes));
+  }
+  if (sum < machine_memory() && sum / bytes_per_cell < index_limit) return;
+  const BodyDeck& largest =
+      *std::max_element(deck.bodies.begin(), deck.bodies.end(), [&](const BodyDeck& a, const BodyDeck& b) {
+        return count_cells(deck, a) < count_cells(deck, b);
+      });
+  reject(deck, largest, largest.cells ? "cells" : "spacing",
+         fmt::format(
+             "and the other bodies make {:.4g} cells, which need about {:.3g} GiB ({}): expected what fits "
+             "into the {:.3g} GiB of this machine. Make the cells larger or the bodies smaller",
+             sum / bytes_per_cell, gib(sum), parts, gib(machine_memory())));
+}
+
 Shape make_shape(const Deck& deck, const BodyDeck& body) {
   const Triple n = find_cells(deck, body);
   check_meshable(deck, body, n);
+  check_cell_shape(deck, body, n);
   const double count = cells_of(body, n);
-  const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  const double memory = machine_memory();
   if (!(count < index_limit && count * bytes_per_cell < memory))
     reject(
         deck, body, body.cells ? "cells" : "spacing",

@@ -49,6 +49,10 @@ Triple find_cells(const Deck& deck, const BodyDeck& body);
 // Particles or hexes of the shape, counted before anything is allocated.
 double count_cells(const Deck& deck, const BodyDeck& body);
 
+double machine_memory(); // bytes that a process may have
+// Throws DeckError where all bodies together need more than the machine has.
+void check_memory(const Deck& deck);
+
 // Radius, about the axis through `origin`, of the surface that the teeth of an end mill have left before time
 // 0. A tooth was last at immersion phi a time -s T ago, T the time between two teeth and s in [0, 1); the
 // tool's centre then lay s feeds behind its start. Runout is left out.

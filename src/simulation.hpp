@@ -22,6 +22,7 @@ class Simulation {
 
   void start();                              // lists and forces of the initial state
   void step();                               // the equations of one time step
+  void cut_step(double end);                 // so that no step passes the end, and none is tiny
   void write_state(CheckpointWriter&) const; // everything that the next step depends on
   void read_state(const CheckpointReader&);  // instead of start()
   // Reads the status, sets dt and rebuilds the lists if the particles may outrun the skin before the next
@@ -38,14 +39,19 @@ class Simulation {
   long step_count() const { return steps; }
   double dt() const { return step_size; }
   long steps_this_run() const { return steps - first_step; }
-  // Particles whose centre is deeper in the tool than a quarter of the spacing: none, if the contact holds.
+  // Particles and nodes that are deeper in the tool than a quarter of their spacing: none, if the contact
+  // holds.
   int leaked_particles() const;
+  int leaked_nodes() const;
   double initial_kinetic() const { return initial_energy; } // J
+  double driven_kinetic() const { return driven_energy; }   // J, if all moved as fast as what drives it
+  double heat_dt() const { return heat_step; }              // s, stable step of conduction; 0 without
   double particle_steps() const {
     return moved_particles;
   } // of this run: awake particles, summed over the steps
   long rebuilds() const { return rebuild_count; }
   const std::string& limiter() const { return step_limiter; }
+  std::string place_of_limiter() const;
   const Scene& scene() const { return model; }
   const Neighbors& neighbors() const { return lists; }
   ToolPose pose() const { return deck.tool ? tool_pose(*deck.tool, now) : ToolPose{}; }
@@ -82,8 +88,9 @@ class Simulation {
   StableStep limit_step();
   HeatSums sum_heats() const;
   void book_heat(HistorySample&) const;
-  void check_status();                           // throws SimulationFault
-  void check_energy(const HistorySample&) const; // throws SimulationFault
+  void check_status();                               // throws SimulationFault
+  void check_energy(const HistorySample&) const;     // throws SimulationFault
+  void check_numbers(const CheckpointReader&) const; // throws ResultsError
   [[noreturn]] void fail(Fault fault, const std::string& where) const;
   [[noreturn]] void fail(const std::string& what) const;
   std::string place_of_particle(unsigned row) const; // "particle 12 (row 3) at (x, y, z) m"
@@ -121,9 +128,10 @@ class Simulation {
   double lost_in_conversion = 0; // J, of motion that particles do not have, and of the contact's springs
   double moved_particles = 0;
   double initial_energy = 0, driving_speed = 0, slowest_drive = 0; // m/s
-  double elastic_scale = 0;                                        // J
+  double elastic_scale = 0, driven_energy = 0;                     // J
   double tool_work = 0;
   std::string step_limiter;
+  int limiting_row = -1; // a hex's after all particles'
 };
 
 double elastic_scale_of(const MaterialPoints&,

@@ -51,6 +51,12 @@ std::string Simulation::place_of_hex(unsigned row) const {
   return fmt::format("hex {} (row {}) at ({:.6g}, {:.6g}, {:.6g}) m", row, row, x.x, x.y, x.z);
 }
 
+std::string Simulation::place_of_limiter() const {
+  const int hex = limiting_row - model.particles.total;
+  if (limiting_row < 0) return "nothing";
+  return hex < 0 ? place_of_particle(unsigned(limiting_row)) : place_of_hex(unsigned(hex));
+}
+
 std::string Simulation::place_of_fastest() const {
   const auto fastest = [&](const VectorField& velocity, int rows) {
     const auto v = host_copy(velocity);

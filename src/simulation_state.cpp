@@ -69,6 +69,14 @@ double slowest_of(const Deck& deck, std::vector<double> speeds) {
   return speeds.empty() || std::isinf(slowest) ? 0 : slowest;
 }
 
+double mass_of(const Scene& scene) {
+  const auto of_particles = host_copy(scene.particles.points.mass), of_nodes = host_copy(scene.hexes.mass);
+  double sum = 0;
+  for (int i : particle_rows(scene.particles)) sum += double(of_particles(i));
+  for (int a = 0; a < scene.hexes.nodes; ++a) sum += double(of_nodes(a));
+  return sum;
+}
+
 } // namespace
 
 Simulation::Simulation(const Deck& from)
@@ -83,6 +91,7 @@ Simulation::Simulation(const Deck& from)
   driving_speed = drives.empty() ? 0 : *std::max_element(drives.begin(), drives.end());
   shift_speed = std::max(driving_speed, fastest_body(deck));
   slowest_drive = slowest_of(deck, drives);
+  driven_energy = 0.5 * mass_factor * mass_of(model) * driving_speed * driving_speed;
   elastic_scale = elastic_scale_of(model.particles.points, model.materials) +
                   elastic_scale_of(model.hexes.points, model.materials);
   contact_law.friction = Real(deck.contact.friction);
@@ -141,6 +150,7 @@ StableStep Simulation::limit_step() {
   particle_step = double(particle_limit.dt);
   const bool hexes_limit =
       hex_limit.limiter >= 0 && (particle_limit.limiter < 0 || hex_limit.dt < particle_limit.dt);
+  limiting_row = hexes_limit ? model.particles.total + hex_limit.limiter : particle_limit.limiter;
   step_limiter = fmt::format("{} {}", hexes_limit ? "hex" : "particle",
                              hexes_limit ? hex_limit.limiter : particle_limit.limiter);
   hex_limit.approach = particle_limit.approach;
@@ -168,10 +178,13 @@ void Simulation::check() {
   of_hexes = sum_hexes(model.hexes, Real(mass_factor));
   const double speed = double(std::max(of_particles.max_speed, of_hexes.max_speed));
   if (driving_speed == 0 && fastest_body(deck) == 0) shift_speed = speed;
-  // Twice the present speed, or the tool's, is allowed for until the next look.
-  const double reach = 2 * std::max(speed, driving_speed) * step_size;
   const double whole = 0.5 * double(lists.skin);
+  // A free flight may be faster than the waves: no step may use up the skin.
+  if (lists_age && speed > 0) step_size = std::min(step_size, 0.9 * whole / speed);
   long interval = std::min<long>(deck.output.history_steps, most_unseen_steps);
+  // Twice the present speed, or the tool's, is allowed for until the next look, and what gravity adds.
+  const double fall = double(norm(gravity)) * step_size * double(interval);
+  const double reach = 2 * (std::max(speed, driving_speed) + fall) * step_size;
   if (lists_age && reach * interval > 0.5 * whole) interval = std::max(1L, long(0.5 * whole / reach));
   lists_due = lists_age && room < reach * double(interval);
   next_check = steps + interval;
@@ -240,6 +253,22 @@ int Simulation::leaked_particles() const {
   if (!deck.tool || model.particles.count == 0) return 0;
   ContactPoints points = contact_points_of(model.particles);
   return count_points_inside(points, model.tool, pose(), Real(0.25 * model.spacing));
+}
+
+int Simulation::leaked_nodes() const {
+  if (!deck.tool || model.hexes.nodes == 0) return 0;
+  const double edge = model.hex_diagonal / std::sqrt(3.0);
+  return count_points_inside(contact_points_of(model.hexes), model.tool, pose(), Real(0.25 * edge));
+}
+
+// Two steps of half the rest rather than one and a sliver.
+void Simulation::cut_step(double end) {
+  const double left = end - now;
+  if (left <= step_size)
+    step_size = left;
+  else if (left < 2 * step_size)
+    step_size = 0.5 * left;
+  while (now + step_size > end && step_size > 0) step_size = std::nextafter(step_size, 0.0); // round-off
 }
 
 } // namespace swarf

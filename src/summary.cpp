@@ -1,5 +1,6 @@
 #include "src/summary.hpp"
 #include "src/hex_conversion.hpp"
+#include "src/say.hpp"
 #include "swarf/retire.hpp"
 #include <algorithm>
 #include <cmath>
@@ -141,8 +142,9 @@ Json retired_of(const Deck& deck, const Particles& p) {
 
 } // namespace
 
-void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulation& s,
-                   const std::string& ended, double seconds, int leaked) {
+void write_summary(const RunFacts& run, double seconds) {
+  const auto& [folder, deck, s, recorder, ending] = run;
+  const RunWatch& watch = recorder.watch;
   const Scene& scene = s.scene();
   Json cost;
   cost.set("wall_seconds", seconds).set("cpu_seconds", cpu_seconds());
@@ -152,7 +154,8 @@ void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulati
   for (const auto& [phase, time] : s.timer.totals()) cost.set("seconds: " + phase, time);
   const HistoryTable raw = read_history(folder.history());
   Json summary;
-  summary.set("title", deck.title).set("ended", ended).set("version", SWARF_VERSION);
+  summary.set("title", deck.title).set("ended", ending.how).set("why", ending.why);
+  summary.set("warnings", fmt::format("{}", fmt::join(watch.warnings(), "; "))).set("version", SWARF_VERSION);
   if (deck.picked) {
     Json pick;
     pick.set("asked_percent", deck.picked->asked).set("why", deck.picked->why);
@@ -162,10 +165,12 @@ void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulati
   summary.set("hexes", scene.hexes.points.count).set("nodes", scene.hexes.nodes);
   if (scene.conversion) summary.set("converted_hexes", scene.layout ? scene.layout->converted() : 0);
   summary.set("steps", s.step_count()).set("time", s.time()).set("dt", s.dt());
-  summary.set("list_rebuilds", s.rebuilds()).set("leaked_particles", leaked);
+  summary.set("list_rebuilds", s.rebuilds()).set("leaked_particles", recorder.most_leaked().particles);
+  summary.set("leaked_nodes", recorder.most_leaked().nodes);
   summary.set("hottest", largest(raw.at("max_temperature")));
   summary.set("largest_plastic_strain", largest(raw.at("max_plastic_strain")));
   if (deck.retire.distance) summary.set("retired", retired_of(deck, scene.particles));
+  if (deck.tool) summary.set("contact", watch.touched());
   summary.set("forces", forces_of(folder)).set("energies", energies_of(folder));
   summary.set("shapes", shapes_of(deck, scene)).set("cost", cost);
   write_file(folder.summary(), summary.text() + "\n");
@@ -180,9 +185,9 @@ RetiredCount count_retired(const Particles& p) {
 }
 
 void report(const Simulation& s, double seconds) {
-  fmt::print("{} steps in {:.1f} s, {} list rebuilds\n", s.step_count(), seconds, s.rebuilds());
+  say("{} steps in {:.1f} s, {} list rebuilds\n", s.step_count(), seconds, s.rebuilds());
   for (const auto& [phase, time] : s.timer.totals())
-    fmt::print("  {:<18} {:8.2f} s {:5.1f} %\n", phase, time, 100 * time / seconds);
+    say("  {:<18} {:8.2f} s {:5.1f} %\n", phase, time, 100 * time / seconds);
 }
 
 } // namespace swarf

@@ -1,14 +1,22 @@
 // What a run comes to: summary.json and the closing lines on the terminal.
 #pragma once
-#include "src/results.hpp"
+#include "src/recorder.hpp"
+#include "src/run.hpp"
 #include "src/simulation.hpp"
 
 namespace swarf {
 
-// From history.csv and the simulation: counts, cost, forces (filtered peak, means of the last half),
-// energies, final shape. `ended` is "complete", "interrupted" or the fault's message.
-void write_summary(const ResultsFolder& folder, const Deck& deck, const Simulation& simulation,
-                   const std::string& ended, double seconds, int leaked);
+struct RunFacts {
+  const ResultsFolder& folder;
+  const Deck& deck;
+  const Simulation& simulation;
+  const Recorder& recorder;
+  const RunEnding& ending;
+};
+
+// From history.csv and the simulation: how it ended and why, warnings, counts, cost, forces (filtered peak,
+// means of the last half), energies, final shape.
+void write_summary(const RunFacts& run, double seconds);
 
 // Particles that have left for good, and of them those that the tool or the work has met since.
 struct RetiredCount {

@@ -9,6 +9,7 @@ namespace swarf {
 struct FacetSurface {
   std::vector<Triple> vertices;
   std::vector<std::array<int, 3>> facets;
+  int collapsed = 0; // facets of a file that were left out, for two of their corners were one
 };
 
 // Right-hand cutter that turns clockwise seen from +z, flat end face at z = 0, shank end at z = length.
@@ -26,10 +27,11 @@ FacetSurface make_wedge(const ToolDeck& tool);
 // Square plate: front face, with outward `normal`, centred on the origin; a quarter of its size thick.
 FacetSurface make_wall(const ToolDeck& tool);
 
-// Binary or ASCII; equal corners are merged, stored normals are not read. Throws DeckError.
+// Binary or ASCII, as programs write them; equal corners are merged, stored normals are not read. Throws
+// DeckError.
 FacetSurface read_stl(const std::string& file, double metres_per_unit);
 
-// Binary, in metres, facets in order: equal surfaces give equal files. Throws DeckError.
+// Binary, in metres, facets in order: equal surfaces give equal files. Throws ResultsError.
 void write_stl(const FacetSurface& surface, const std::string& file);
 
 // Refuses open edges, facets turned against their neighbours, facets without area and parts turned inside

@@ -182,8 +182,8 @@ std::variant<double, UnitError> parse_quantity(const std::string& text, Dimensio
   const std::string written(rest.data(), std::size_t(end - rest.data()));
   const std::string symbol = trim(rest.substr(written.size()));
   if (symbol.empty())
-    return UnitError{fmt::format("{}, got \"{}\", which has no unit. Write \"{} {}\"", expected, text,
-                                 written, wanted.text.example.substr(wanted.text.example.find(' ') + 1))};
+    return UnitError{fmt::format("{}, got \"{}\", which has no unit. In SI units, write \"{} {}\"", expected,
+                                 text, written, wanted.text.si)};
 
   if (symbol == "degC" && dimension == Dimension::temperature) return number + 273.15;
   if (dimension == Dimension::percentage && symbol == "%") return number;

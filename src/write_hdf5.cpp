@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 namespace swarf {
 namespace fs = std::filesystem;
@@ -102,14 +104,14 @@ bool Hdf5File::close() {
   return open < 0 || H5Fclose(open) >= 0;
 }
 
-CheckpointWriter::CheckpointWriter(const fs::path& name, const std::string& deck_hash) : name_of_file(name) {
+CheckpointWriter::CheckpointWriter(const fs::path& name, const std::string& deck) : name_of_file(name) {
   silence_hdf5();
   file.id = create_hdf5(temporary_name(name)).release();
   if (file.id < 0) fail("cannot be written");
   if (!write_attribute(file.id, "format", format_name) ||
       !write_attribute(file.id, "version", checkpoint_version) ||
       !write_attribute(file.id, "bytes_of_real", int(sizeof(Real))) ||
-      !write_attribute(file.id, "deck", deck_hash))
+      !write_attribute(file.id, "deck", deck))
     fail("cannot be written");
 }
 
@@ -123,10 +125,12 @@ CheckpointWriter::~CheckpointWriter() {
 void CheckpointWriter::fail(const std::string& what) {
   const std::string reason = hdf5_system_error();
   file.close();
-  throw ResultsError(
-      fmt::format("{}: the checkpoint {}{}{}; free some space on that disk, or choose another folder "
-                  "with --output. The checkpoint before this one is as it was",
-                  name_of_file.string(), what, reason.empty() ? "" : ": ", reason));
+  std::error_code ignored;
+  fs::remove(temporary_name(name_of_file), ignored);
+  const bool is_limit = reason == std::strerror(EFBIG);
+  throw ResultsError(fmt::format("{}: the checkpoint {}{}{}; {}. The checkpoint before this one is as it was",
+                                 name_of_file.string(), what, reason.empty() ? "" : ": ", reason,
+                                 advice_on(is_limit ? EFBIG : ENOSPC)));
 }
 
 void CheckpointWriter::write(const std::string& name, const void* data, NumberType type, const Shape& shape) {
@@ -156,7 +160,7 @@ CheckpointReader::CheckpointReader(const fs::path& name) : name_of_file(name) {
   if (!fs::exists(name, ignored))
     throw ResultsError(
         fmt::format("{}: there is no such checkpoint; give the folder of a run that wrote one, or start "
-                    "the run without a restart",
+                    "the run anew with --overwrite",
                     name.string()));
   file.id = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file.id < 0) fail("is cut short or damaged: HDF5 cannot open it");
@@ -172,13 +176,17 @@ CheckpointReader::CheckpointReader(const fs::path& name) : name_of_file(name) {
         "holds numbers of {} bytes, this build of swarf computes with {} ({})", bytes, sizeof(Real),
         sizeof(Real) == 8 ? "double; use the build in single precision" : "float; use the release build"));
   if (read_int_attribute(file.id, "complete") != 1) fail("was not written to its end");
-  hash = read_text_attribute(file.id, "deck");
+  deck_text = read_text_attribute(file.id, "deck");
 }
 
 void CheckpointReader::fail(const std::string& what) const {
-  throw ResultsError(
-      fmt::format("{}: the checkpoint {}; restart from another checkpoint, or start the run again",
-                  name_of_file.string(), what));
+  throw ResultsError(fmt::format(
+      "{}: the checkpoint {}; restart from another checkpoint, or start the run anew with --overwrite",
+      name_of_file.string(), what));
+}
+
+void CheckpointReader::require(bool is_possible, const std::string& name) const {
+  if (!is_possible) fail(fmt::format("has values of '{}' that cannot be", name));
 }
 
 bool CheckpointReader::has(const std::string& name) const {

@@ -1,8 +1,8 @@
 // HDF5: the history for analysis, and the checkpoint container.
 //
 // A checkpoint is a set of named arrays and numbers, row-major whatever the layout of the Views, with a
-// version, the precision of Real, a hash of the deck and a checksum over every block and all of HDF5's own
-// structure. It is written as FILE.tmp and renamed when it is whole: a kill at any moment leaves the one
+// version, the precision of Real, the physics of the deck and a checksum over every block and all of HDF5's
+// own structure. It is written as FILE.tmp and renamed when it is whole: a kill at any moment leaves the one
 // before. Every error is a ResultsError that names the file and the dataset; HDF5 itself never prints.
 #pragma once
 #include "src/results.hpp"
@@ -59,7 +59,7 @@ struct Hdf5File {
 
 class CheckpointWriter {
  public:
-  CheckpointWriter(const std::filesystem::path& file, const std::string& deck_hash);
+  CheckpointWriter(const std::filesystem::path& file, const std::string& deck);
   ~CheckpointWriter(); // without finish(): the checkpoint before stays
   CheckpointWriter(const CheckpointWriter&) = delete;
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
@@ -94,33 +94,37 @@ class CheckpointWriter {
 
 class CheckpointReader {
  public:
+  static constexpr std::uint64_t any = ~std::uint64_t{0};
   // Checks that the file is whole, of this version and of this precision.
   explicit CheckpointReader(const std::filesystem::path& file);
 
-  const std::string& deck_hash() const { return hash; }
+  const std::string& deck() const { return deck_text; }
+  // Throws ResultsError where what `name` holds cannot be.
+  void require(bool is_possible, const std::string& name) const;
   bool has(const std::string& name) const;
   Shape shape(const std::string& name) const;
 
-  // Resizes the view to the stored rows; what the View's type fixes must agree.
+  // Resizes the view to the stored rows; what the View's type fixes must agree, and the rows where they are
+  // given: nothing is allocated before.
   template <class Data, class... Properties>
-  void get(const std::string& name, Kokkos::View<Data, Properties...>& view) const {
+  void get(const std::string& name, Kokkos::View<Data, Properties...>& view, std::uint64_t rows = any) const {
     using V = Kokkos::View<Data, Properties...>;
     Shape fixed;
     for (std::size_t r = 0; r < V::rank; ++r)
-      fixed.push_back(r < V::rank_dynamic ? any : view.static_extent(r));
+      fixed.push_back(r == 0 ? rows : r < V::rank_dynamic ? any : view.static_extent(r));
     const Shape found = check(name, number_type<typename V::non_const_value_type>(), fixed);
-    const auto rows = make_row_major<V>(found);
-    read(name, rows.data(), number_type<typename V::non_const_value_type>());
+    const auto stored = make_row_major<V>(found);
+    read(name, stored.data(), number_type<typename V::non_const_value_type>());
     typename V::array_layout layout;
     for (std::size_t r = 0; r < V::rank; ++r) layout.dimension[r] = found[r];
     Kokkos::realloc(view, layout);
     const auto mirror = Kokkos::create_mirror_view(Kokkos::HostSpace{}, view);
-    Kokkos::deep_copy(mirror, rows);
+    Kokkos::deep_copy(mirror, stored);
     Kokkos::deep_copy(view, mirror);
   }
   template <class T>
-  void get(const std::string& name, std::vector<T>& values) const {
-    values.resize(check(name, number_type<T>(), {any})[0]);
+  void get(const std::string& name, std::vector<T>& values, std::uint64_t count = any) const {
+    values.resize(check(name, number_type<T>(), {count})[0]);
     read(name, values.data(), number_type<T>());
   }
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
@@ -130,13 +134,12 @@ class CheckpointReader {
   }
 
  private:
-  static constexpr std::uint64_t any = ~std::uint64_t{0};
   Shape check(const std::string& name, NumberType type, const Shape& expected) const; // the stored shape
   void read(const std::string& name, void* data, NumberType type) const;
   [[noreturn]] void fail(const std::string& what) const;
   std::filesystem::path name_of_file;
   Hdf5File file;
-  std::string hash;
+  std::string deck_text;
 };
 
 } // namespace swarf

@@ -1,4 +1,5 @@
 #include "src/write_vtk.hpp"
+#include "src/say.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <charconv>
+#include <sstream>
 
 namespace swarf {
 namespace fs = std::filesystem;
@@ -80,8 +82,9 @@ void set_time(vtkDataObject* data, const FrameData& frame) {
   if (frame.immersion) number("immersion", *frame.immersion);
 }
 
+// Returns the checksum of the file.
 template <class Writer>
-void write_data(const fs::path& file, vtkDataObject* data) {
+std::string write_data(const fs::path& file, vtkDataObject* data) {
   vtkNew<Writer> writer;
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
@@ -90,10 +93,12 @@ void write_data(const fs::path& file, vtkDataObject* data) {
   writer->WriteToOutputStringOn();
   if (!writer->Write())
     throw ResultsError(file.string() + ": VTK cannot make this frame; too little memory?");
-  write_file(file, writer->GetOutputString());
+  const std::string text = writer->GetOutputString();
+  write_file(file, text);
+  return hash_text(text);
 }
 
-void write_particles(const fs::path& file, const FrameData& frame) {
+std::string write_particles(const fs::path& file, const FrameData& frame) {
   const FrameParticles& particles = frame.particles;
   vtkNew<vtkUnstructuredGrid> grid;
   set_points(grid, particles.position);
@@ -105,10 +110,10 @@ void write_particles(const fs::path& file, const FrameData& frame) {
       add(grid->GetPointData(), "identity", particles.identity),
       add(grid->GetPointData(), "retired", particles.retired);
   set_time(grid, frame);
-  write_data<vtkXMLUnstructuredGridWriter>(file, grid);
+  return write_data<vtkXMLUnstructuredGridWriter>(file, grid);
 }
 
-void write_hexes(const fs::path& file, const FrameData& frame) {
+std::string write_hexes(const fs::path& file, const FrameData& frame) {
   const FrameHexes& hexes = frame.hexes;
   vtkNew<vtkUnstructuredGrid> grid;
   set_points(grid, hexes.position);
@@ -118,15 +123,15 @@ void write_hexes(const fs::path& file, const FrameData& frame) {
   add_state(grid->GetCellData(), hexes.state);
   add(grid->GetCellData(), "active", hexes.active);
   set_time(grid, frame);
-  write_data<vtkXMLUnstructuredGridWriter>(file, grid);
+  return write_data<vtkXMLUnstructuredGridWriter>(file, grid);
 }
 
-void write_tool(const fs::path& file, const FrameData& frame) {
+std::string write_tool(const fs::path& file, const FrameData& frame) {
   vtkNew<vtkPolyData> surface;
   set_points(surface, frame.tool);
   surface->SetPolys(make_cells(3, vtkIdType(frame.tool.size() / 9), nullptr));
   set_time(surface, frame);
-  write_data<vtkXMLPolyDataWriter>(file, surface);
+  return write_data<vtkXMLPolyDataWriter>(file, surface);
 }
 
 const char* extension(const std::string& part) { return part == "tool" ? "vtp" : "vtu"; }
@@ -139,7 +144,25 @@ void for_each_part(const FrameEntry& entry, Part&& part) {
   if (entry.tool) part("tool");
 }
 
-constexpr const char* list_header = "frame,time [s],immersion [deg],parts\n";
+constexpr const char* list_header = "frame,time [s],immersion [deg],parts,checksums\n";
+constexpr const char* old_list_header = "frame,time [s],immersion [deg],parts\n";
+
+void say_what_is_missing(const ResultsFolder& results, const std::vector<FrameEntry>& entries) {
+  std::string missing;
+  int count = 0;
+  for (const FrameEntry& entry : entries)
+    for_each_part(entry, [&](const char* part) {
+      const fs::path file = frame_file(results, entry.index, part);
+      std::error_code ignored;
+      if (fs::exists(file, ignored) || ++count > 5) return;
+      missing += (missing.empty() ? "" : ", ") + file.string();
+    });
+  if (count > 0)
+    complain("warning: {} file(s) of the earlier frames are missing: {}{}. The run goes on without them; "
+             "copy them "
+             "back if you need them.",
+             count, missing, count > 5 ? ", ..." : "");
+}
 
 } // namespace
 
@@ -158,8 +181,13 @@ FrameSeries::FrameSeries(const ResultsFolder& folder, int frames)
     const FrameEntry last = entries.back();
     entries.pop_back();
     write_lists(); // first, so that no list names a file that is gone
-    for_each_part(last, [&](const char* part) { fs::remove(frame_file(results, last.index, part)); });
+    for_each_part(last, [&](const char* part) {
+      std::error_code error;
+      fs::remove(frame_file(results, last.index, part), error);
+      if (error) fail_to(frame_file(results, last.index, part), "remove a frame of later", error.value());
+    });
   }
+  say_what_is_missing(results, entries);
 }
 
 void FrameSeries::write(const FrameData& frame) {
@@ -168,10 +196,14 @@ void FrameSeries::write(const FrameData& frame) {
                    frame.immersion,
                    !frame.particles.position.empty(),
                    !frame.hexes.connectivity.empty(),
-                   !frame.tool.empty()};
-  if (entry.hexes) write_hexes(frame_file(results, entry.index, "hexes"), frame);
-  if (entry.particles) write_particles(frame_file(results, entry.index, "particles"), frame);
-  if (entry.tool) write_tool(frame_file(results, entry.index, "tool"), frame);
+                   !frame.tool.empty(),
+                   {}};
+  for_each_part(entry, [&](const std::string& part) {
+    const fs::path file = frame_file(results, entry.index, part);
+    entry.checksums[part] = part == "hexes"       ? write_hexes(file, frame)
+                            : part == "particles" ? write_particles(file, frame)
+                                                  : write_tool(file, frame);
+  });
   entries.push_back(entry);
   write_lists();
 }
@@ -190,7 +222,12 @@ void FrameSeries::write_lists() const {
                          entry.time, part_number++, part,
                          frame_file(results, entry.index, part).filename().string());
     });
-    list += '\n';
+    std::string checksums;
+    for_each_part(entry, [&](const std::string& part) {
+      const auto found = entry.checksums.find(part);
+      if (found != entry.checksums.end()) checksums += (checksums.empty() ? "" : " ") + found->second;
+    });
+    list += "," + checksums + '\n';
   }
   pvd += "  </Collection>\n</VTKFile>\n";
   write_file(results.paraview(), pvd);
@@ -208,8 +245,8 @@ std::vector<FrameEntry> read_frame_list(const ResultsFolder& results) {
                     "run again",
                     results.frame_list().string(), entries.size() + 2));
   };
-  if (!text.starts_with(list_header)) damaged();
-  for (std::size_t start = std::string(list_header).size(); start < text.size();) {
+  if (!text.starts_with(list_header) && !text.starts_with(old_list_header)) damaged();
+  for (std::size_t start = text.find('\n') + 1; start < text.size();) {
     const auto end = std::min(text.find('\n', start), text.size());
     const char* at = text.data() + start;
     const char* const stop = text.data() + end;
@@ -226,9 +263,15 @@ std::vector<FrameEntry> read_frame_list(const ResultsFolder& results) {
     } else {
       ++at;
     }
-    const std::string_view parts(at, at < stop ? std::size_t(stop - at) : 0);
+    const std::string_view rest(at, at < stop ? std::size_t(stop - at) : 0);
+    const std::string_view parts = rest.substr(0, rest.find(','));
+    std::istringstream checksums(std::string(rest.substr(std::min(rest.size(), parts.size() + 1))));
     entry.particles = parts.find("particles") != parts.npos, entry.hexes = parts.find("hexes") != parts.npos;
     entry.tool = parts.find("tool") != parts.npos;
+    for_each_part(entry, [&](const char* part) {
+      if (std::string sum; checksums >> sum) entry.checksums[part] = sum;
+    });
+    if (entry.index != int(entries.size())) damaged();
     entries.push_back(entry);
     start = end + 1;
   }

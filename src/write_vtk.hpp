@@ -3,6 +3,8 @@
 #include "src/frame.hpp"
 #include "src/results.hpp"
 
+#include <map>
+
 namespace swarf {
 
 struct FrameEntry {
@@ -10,6 +12,7 @@ struct FrameEntry {
   double time = 0;                                     // s
   std::optional<double> immersion;                     // deg
   bool particles = false, hexes = false, tool = false; // which files it has
+  std::map<std::string, std::string> checksums = {};   // of these files, by part; none in lists of old runs
 };
 
 std::filesystem::path frame_file(const ResultsFolder& results, int index, const std::string& part);
@@ -20,7 +23,8 @@ std::filesystem::path frame_file(const ResultsFolder& results, int index, const 
 class FrameSeries {
  public:
   explicit FrameSeries(const ResultsFolder& folder) : results(folder) {}
-  FrameSeries(const ResultsFolder& folder, int frames); // restart: keeps the first `frames`, removes the rest
+  // Restart: keeps the first `frames`, removes the rest, and says which files of the first are missing.
+  FrameSeries(const ResultsFolder& folder, int frames);
   void write(const FrameData& frame);
   int count() const { return int(entries.size()); }
 

@@ -149,6 +149,11 @@ void absorb_waves(const Motion&, const ScalarField& damping, Real mass_factor, R
 void sum_tool_load(const ContactPoints&, const Tool&, const ToolPose&, Real dt, const ToolLoadSums&);
 int count_points_inside(const ContactPoints&, const Tool&, const ToolPose&,
                         Real depth); // deeper than depth, m
+struct ClosestPoint {
+  Real depth = -Kokkos::Experimental::infinity_v<Real>; // m, of contact; negative: so far from it
+  int row = -1;                                         // none within the tool's reach
+};
+ClosestPoint find_closest_point(const ContactPoints&, const Tool&, const ToolPose&);
 
 struct PointSums {
   Real kinetic = 0, internal = 0, plastic = 0, external = 0, friction = 0, viscous = 0, hourglass = 0,

@@ -2,6 +2,7 @@
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
+#include <hdf5.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 
@@ -100,7 +101,7 @@ TEST(CheckpointFile, gives_back_every_bit) {
   EXPECT_TRUE(all_bytes(written) == all_bytes(read));
   EXPECT_EQ(read.empty.extent(0), 0u);
   EXPECT_EQ(read.corner.extent(0), 5000u);
-  EXPECT_EQ(CheckpointReader(folder / "c.h5").deck_hash(), "a-deck");
+  EXPECT_EQ(CheckpointReader(folder / "c.h5").deck(), "a-deck");
 }
 
 TEST(CheckpointFile, equal_states_give_equal_files) {
@@ -175,7 +176,7 @@ TEST(CheckpointFile, truncated_anywhere_is_an_error) {
   for (int k = 0; k < 40; ++k) {
     std::ofstream(folder / "cut.h5", std::ios::binary) << whole.substr(0, whole.size() * std::size_t(k) / 40);
     EXPECT_THAT(read_error(folder / "cut.h5"),
-                AllOf(HasSubstr("cut.h5: the checkpoint"), HasSubstr("start the run again")));
+                AllOf(HasSubstr("cut.h5: the checkpoint"), HasSubstr("start the run anew")));
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "HDF5 must not print";
 }
@@ -227,6 +228,43 @@ TEST(CheckpointFile, says_what_it_misses) {
   EXPECT_THAT(read_error(folder / "text.h5"), HasSubstr("cut short or damaged"));
 }
 
+// Attributes of another size, count or kind would be read past the end of what takes them.
+TEST(CheckpointFile, attributes_of_another_size_are_refused) {
+  const TemporaryFolder folder;
+  State s = make_state(100, 5);
+  const auto spoil = [&](const char* name, hid_t type, hsize_t count) {
+    write_state(folder / "c.h5", s);
+    const hid_t file = H5Fopen((folder / "c.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    H5Adelete(file, name);
+    const hid_t attribute = H5Acreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    const std::vector<char> bytes(H5Tget_size(type) * count, 1);
+    H5Awrite(attribute, type, bytes.data());
+    H5Aclose(attribute), H5Sclose(space), H5Fclose(file);
+    return read_error(folder / "c.h5");
+  };
+  const hid_t text = H5Tcopy(H5T_C_S1);
+  H5Tset_size(text, 64);
+  EXPECT_THAT(spoil("version", H5T_NATIVE_INT, 4096), HasSubstr("has format version -1"));
+  EXPECT_THAT(spoil("version", H5T_NATIVE_DOUBLE, 1), HasSubstr("has format version -1"));
+  EXPECT_THAT(spoil("format", text, 4096), HasSubstr("its header is damaged"));
+  EXPECT_THAT(spoil("complete", text, 1), HasSubstr("was not written to its end"));
+  H5Tclose(text);
+}
+
+TEST(CheckpointFile, rows_are_counted_before_they_are_read) {
+  const TemporaryFolder folder;
+  State s = make_state(100, 5);
+  write_state(folder / "c.h5", s);
+  const CheckpointReader reader(folder / "c.h5");
+  EXPECT_THAT(message_of<ResultsError>([&] { reader.get("particles/position", s.position, 99); }),
+              HasSubstr("of shape 100 x 3, expected 99 x 3"));
+  EXPECT_THAT(message_of<ResultsError>([&] { reader.get("host", s.host, 3); }),
+              HasSubstr("of shape 4, expected 3"));
+  EXPECT_THAT(message_of<ResultsError>([&] { reader.require(false, "steps"); }),
+              HasSubstr("has values of 'steps' that cannot be"));
+}
+
 TEST(CheckpointFile, full_disk_keeps_the_one_before) {
   const TemporaryFolder folder;
   const auto file = folder / "c.h5";
@@ -243,8 +281,7 @@ TEST(CheckpointFile, full_disk_keeps_the_one_before) {
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, old);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_THAT(message,
-              AllOf(HasSubstr(file.string()), HasSubstr("File too large"), HasSubstr("free some space")));
+  EXPECT_THAT(message, AllOf(HasSubstr(file.string()), HasSubstr("File too large"), HasSubstr("ulimit -f")));
   State read = read_state(file);
   EXPECT_TRUE(all_bytes(read) == all_bytes(s));
   EXPECT_THAT(message_of<ResultsError>([&] { write_state(folder / "no/c.h5", s); }),

@@ -219,11 +219,20 @@ TEST(Results, new_run_clears_only_its_own_files) {
   const TemporaryFolder folder;
   const ResultsFolder results = create_results(folder / "a/b/run");
   write_file(results.checkpoint(), "old"), write_file(results.frames() / "frame_0003_tool.vtp", "old");
-  write_file(results.path / "notes.txt", "mine");
-  create_results(results.path);
+  write_file(results.path / "notes.txt", "mine"), write_file(results.pictures() / "mine.png", "mine");
+  write_file(results.frames() / "frame_of_mine.vtu", "mine"), write_file(results.path / "probe", "mine");
+  EXPECT_THAT(message_of<ResultsError>([&] { create_results(results.path, true); }),
+              HasSubstr("checkpoint.h5: is in the way"))
+      << "without a deck of swarf's beside it, it may be anybody's";
+  write_file(results.deck(), std::string(resolved_mark) + " the deck\n");
+  EXPECT_THAT(message_of<ResultsError>([&] { create_results(results.path); }),
+              AllOf(HasSubstr("--resume"), HasSubstr("--overwrite")));
+  create_results(results.path, true);
   EXPECT_FALSE(fs::exists(results.checkpoint()));
   EXPECT_FALSE(fs::exists(results.frames() / "frame_0003_tool.vtp"));
-  EXPECT_EQ(read_text(results.path / "notes.txt"), "mine");
+  for (const fs::path& file : {results.path / "notes.txt", results.pictures() / "mine.png",
+                               results.frames() / "frame_of_mine.vtu", results.path / "probe"})
+    EXPECT_EQ(read_text(file), "mine") << file;
 }
 
 TEST(Results, unwritable_folder_is_named) {

@@ -89,7 +89,7 @@ TEST_F(RunFaults, nothing_to_resume) {
   fs::remove(results / "checkpoint.h5");
   const auto before = read_folder(results);
   expect_failure(run_program(run_arguments(deck, results, true)), 1,
-                 {"checkpoint.h5: there is no such checkpoint", "start the run without a restart"});
+                 {"checkpoint.h5: there is no such checkpoint", "start the run anew with --overwrite"});
   EXPECT_TRUE(read_folder(results) == before);
 }
 
@@ -98,7 +98,7 @@ TEST_F(RunFaults, truncated_checkpoint) {
   fs::resize_file(results / "checkpoint.h5", fs::file_size(results / "checkpoint.h5") / 2);
   const auto before = read_folder(results);
   expect_failure(run_program(run_arguments(deck, results, true)), 1,
-                 {"checkpoint.h5: the checkpoint is cut short or damaged", "start the run again"});
+                 {"checkpoint.h5: the checkpoint is cut short or damaged", "start the run anew"});
   EXPECT_TRUE(read_folder(results) == before);
 }
 
@@ -108,7 +108,8 @@ TEST_F(RunFaults, checkpoint_of_another_deck) {
   const std::string other =
       write_deck(folder, edit_small_deck({{"friction = 0.5", "friction = 0.4"}}), "other.toml");
   expect_failure(run_program(run_arguments(other, results, true)), 1,
-                 {"checkpoint.h5: belongs to another deck", "Resume with the deck it was written with"});
+                 {"checkpoint.h5: belongs to another deck", "[contact] friction = 0.4, was 0.5",
+                  "Resume with the values it was written with"});
   EXPECT_TRUE(read_folder(results) == before)
       << "nothing may be overwritten before the deck is known to be right";
 }
@@ -147,10 +148,12 @@ TEST_F(RunFaults, full_disk_in_the_middle) {
   run_shortly(often, results);
   const rlim_t limit = fs::file_size(results / "checkpoint.h5") + 20000;
   const Ended end = run_program(run_arguments(often, results), limit);
-  expect_failure(end, 1, {"history.csv: cannot write the history: File too large", "free some space"});
+  expect_failure(end, 1,
+                 {"history.csv: cannot write the history: File too large", "ulimit -f",
+                  "A last checkpoint has been written"});
   const LastTimes last = read_results(results);
   EXPECT_GT(last.history, 0);
-  EXPECT_EQ(last.checkpoint, 0);
+  EXPECT_GE(last.checkpoint, last.history) << "the steps of the sample that found no room are not lost";
   const Ended resumed = run_program(run_arguments(often, results, true) + Arguments{"--stop-after", "40"});
   EXPECT_EQ(resumed.status, 0) << resumed.output;
 }
@@ -158,7 +161,7 @@ TEST_F(RunFaults, full_disk_in_the_middle) {
 // The largest step and pressure diffusion that a deck may have: the stable step knows nothing of the latter.
 TEST_F(RunFaults, unstable_run) {
   const std::string wild =
-      write_deck(folder, edit_small_deck({{"courant = 0.3", "courant = 1"},
+      write_deck(folder, edit_small_deck({{"courant = 0.3", "courant = 1\nenergy_limit = \"1000 %\""},
                                           {"smoothing_length = \"fixed\"",
                                            "smoothing_length = \"fixed\"\npressure_diffusion = 1"}}));
   const Ended end = run_program(run_arguments(wild, results));
@@ -173,7 +176,8 @@ TEST_F(RunFaults, unstable_run) {
   EXPECT_LT(last.history, last.frame) << "the state that failed is no sample";
   for (const auto& column : read_history(results / "history.csv").values)
     for (const double value : column) EXPECT_TRUE(std::isfinite(value));
-  EXPECT_THAT(read_bytes(results / "summary.json"), HasSubstr("\"ended\": \"the run became unstable"));
+  EXPECT_THAT(read_bytes(results / "summary.json"),
+              AllOf(HasSubstr("\"ended\": \"failed\""), HasSubstr("\"why\": \"the run became unstable")));
   EXPECT_TRUE(fs::exists(results / "results.h5"));
 
   const Ended again = run_program(run_arguments(wild, results, true));
@@ -270,7 +274,8 @@ TEST_F(RunFaults, tool_inside_the_workpiece) {
   const std::string inside =
       write_deck(folder, edit_small_deck({{"start_angle = \"84.8 deg\"", "start_angle = \"86.2 deg\""}}));
   expect_failure(run_program(run_arguments(inside, results)), 1,
-                 {"tool.position:", "lie inside the tool at the start"});
+                 {"deck.toml:", "tool.position: the tool overlaps body \"cut zone\" of line 17 by ",
+                  " um at the start"});
   EXPECT_FALSE(fs::exists(results));
 }
 

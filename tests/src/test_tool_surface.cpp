@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 namespace swarf::test {
 namespace {
@@ -91,6 +93,87 @@ std::string read_bytes(const std::filesystem::path& file) {
 }
 void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
+}
+
+// The tetrahedron as a program might write it, line by line.
+std::string ascii_tetrahedron() {
+  std::string text = "solid tool facet of nothing\n";
+  const FacetSurface s = make_tetrahedron();
+  for (const auto& facet : s.facets) {
+    text += " facet normal 0 0 1\n  outer loop\n";
+    for (const int v : facet)
+      text += "   vertex " + std::to_string(s.vertices[std::size_t(v)][0]) + " " +
+              std::to_string(s.vertices[std::size_t(v)][1]) + " " +
+              std::to_string(s.vertices[std::size_t(v)][2]) + "\n";
+    text += "  endloop\n endfacet\n";
+  }
+  return text + "endsolid tool\n";
+}
+
+std::string replace_all(std::string text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+// Each is read by other programs (numpy-stl, MeshLab, Gmsh, ParaView), and is the same body.
+TEST(Stl, DialectsOfAsciiAreTheSameBody) {
+  const TemporaryFolder folder;
+  const std::string plain = ascii_tetrahedron();
+  std::string upper = plain;
+  for (char& c : upper) c = char(std::toupper(static_cast<unsigned char>(c)));
+  const std::map<std::string, std::string> dialects = {
+      {"plain", plain},
+      {"upper case", upper},
+      {"end loop", replace_all(replace_all(plain, "endloop", "end loop"), "endfacet", "end facet")},
+      {"end of the solid in upper case", replace_all(plain, "endsolid", "ENDSOLID")},
+      {"byte order mark", "\xef\xbb\xbf" + plain},
+      {"blank lines before", "\n  \n" + plain},
+      {"Windows", replace_all(plain, "\n", "\r\n")},
+      {"old Macintosh", replace_all(plain, "\n", "\r")},
+      {"Fortran", replace_all(replace_all(plain, "1.000000", "1.0D+00"), "0.000000", "0.0d-00")},
+      {"signs", replace_all(plain, "1.000000", "+1.0")},
+      {"a facet a line",
+       replace_all(replace_all(plain, "\n   vertex", " vertex"), "\n  endloop\n", " endloop ")},
+      {"colours", replace_all(plain, " facet normal", " color 0.5 0.5 0.5\n facet normal")},
+      {"normals that are none", replace_all(plain, "normal 0 0 1", "normal nan nan nan")},
+      {"nothing after the last facet", replace_all(plain, "endsolid tool\n", "")},
+  };
+  for (const auto& [name, text] : dialects) {
+    SCOPED_TRACE(name);
+    write_bytes(folder / "t.stl", text);
+    FacetSurface s;
+    EXPECT_NO_THROW(s = read_stl((folder / "t.stl").string(), 1));
+    EXPECT_EQ(s.facets.size(), 4u);
+    EXPECT_EQ(s.vertices.size(), 4u);
+    EXPECT_EQ(fault_of(s), "");
+    EXPECT_NEAR(enclosed_volume(s), 1.0 / 6, 1e-12);
+  }
+}
+
+TEST(Stl, BinaryWithMoreBytesThanItsFacets) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "t.stl").string();
+  write_stl(make_tetrahedron(), file);
+  std::string bytes = read_bytes(file);
+  bytes.replace(0, 6, "solid "); // as some programs begin their header
+  write_bytes(file, bytes + std::string(2, '\0'));
+  const FacetSurface s = read_stl(file, 1);
+  EXPECT_EQ(s.facets.size(), 4u);
+  EXPECT_NEAR(enclosed_volume(s), 1.0 / 6, 1e-7);
+}
+
+TEST(Stl, CollapsedFacetsAreLeftOutAndCounted) {
+  const TemporaryFolder folder;
+  FacetSurface with = make_tetrahedron();
+  with.facets.insert(with.facets.begin() + 1, {1, 1, 1});
+  with.facets.push_back({2, 3, 2});
+  const std::string file = (folder / "t.stl").string();
+  write_stl(with, file);
+  const FacetSurface s = read_stl(file, 1);
+  EXPECT_EQ(s.facets.size(), 4u);
+  EXPECT_EQ(s.collapsed, 2);
+  EXPECT_EQ(fault_of(s), "");
 }
 
 TEST(Stl, EveryGeneratedToolComesBackWholeAndTwiceTheSame) {

@@ -42,7 +42,6 @@ class Program {
     dup2(to, STDOUT_FILENO), dup2(to, STDERR_FILENO);
     setenv("OMP_WAIT_POLICY", "passive", 1), setenv("OMP_PROC_BIND", "false", 1);
     if (file_limit > 0) {
-      std::signal(SIGXFSZ, SIG_IGN); // a write then fails, as on a full disk
       const rlimit limit{file_limit, file_limit};
       setrlimit(RLIMIT_FSIZE, &limit);
     }
@@ -91,7 +90,7 @@ inline std::vector<std::string> run_arguments(const std::string& deck, const std
                                               bool resume = false, int threads = 1) {
   std::vector<std::string> all{
       "run", deck, "--output", results.string(), "--threads", std::to_string(threads), "--no-pictures"};
-  if (resume) all.push_back("--resume");
+  all.push_back(resume ? "--resume" : "--overwrite"); // what a test has left in its folder may go
   return all;
 }
 
