@@ -65,7 +65,7 @@ bool uses(const Deck& deck, Method method) {
   case Method::with_summation:
     return set.density == "summation";
   case Method::with_surface_gradient:
-    return set.correction && set.correct_forces && !initial;
+    return set.correction && set.correct_forces;
   case Method::with_xsph:
     return set.xsph > 0;
   }
