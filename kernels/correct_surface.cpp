@@ -9,10 +9,12 @@
 // of the outer row count with the value 1/24 of a spacing further out. The gradients of the neighbours are
 // too near as well, 0.754 for 1: (0.261 + 1/24) / 0.754 / 0.458 = 0.88. The derivative across the face is
 // left as it is: its strain finds itself from the stress, and the highest frequency stays that of the inside.
-// A linear field stays exact, so that rotation does. Reads position, velocity_gradient, volume,
-// inverse_support, K in pair_stress, and in surface_shift how far neighbours lack; writes velocity_gradient
-// and surface_shift, rows [0, count); surface_term is its own.
+// A linear field stays exact, so that rotation does. In the initial frame all this is done to F and dF/dt,
+// over the initial positions. Reads position or build_position, velocity_gradient, deformation_gradient,
+// volume, inverse_support, K in pair_stress, and in surface_shift how far neighbours lack; writes
+// velocity_gradient, deformation_gradient, K and surface_shift, rows [0, count); surface_term is its own.
 #include "copy_to_images.hpp"
+#include "correction.hpp"
 #include "swarf/pair.hpp"
 #include "swarf/surface.hpp"
 
@@ -21,20 +23,46 @@ namespace {
 
 constexpr Real reach = Real(0.88);
 
+// What the kernels see, and a cluster of it.
+struct Sight {
+  Particles p;
+  Neighbors n;
+  VectorField from; // positions
+  bool initial;
+
+  SWARF_FN bool is_at_surface(int cluster) const {
+    for (int i = n.first(cluster); i < n.first(cluster) + n.size(cluster); ++i)
+      if (p.surface_shift(i, 0) != 0) return true;
+    return false;
+  }
+  SWARF_FN Vector3 shift(int i) const {
+    return {p.surface_shift(i, 1), p.surface_shift(i, 2), p.surface_shift(i, 3)};
+  }
+  SWARF_FN Tensor3 K(int i) const { // in the initial frame K0
+    const Tensor3 shown = load_tensor(p.pair_stress, i);
+    return initial ? without_cofactor(shown, load_tensor(p.deformation_gradient, i)) : shown;
+  }
+  // visit(j, x_ij, slope)
+  template <class Visit>
+  KOKKOS_FORCEINLINE_FUNCTION void for_each_pair(int cluster, const Lanes& lanes, const Visit& visit) const {
+    const auto x_i = lanes.load_vector(from);
+    const Pack inverse_support_i = lanes.load(p.inverse_support);
+    for_each_neighbor(n, cluster, [&](int j) {
+      const auto x_ij = x_i - broadcast_vector(from, j);
+      visit(j, x_ij, pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j))));
+    });
+  }
+};
+
 struct Moments {
   Vector3Of<Pack> gradient, third; // sum V_j grad W, sum V_j r^2 grad W
   Pack second;                     // sum w r^2
 };
 
-KOKKOS_FORCEINLINE_FUNCTION Moments sum_moments(const Particles& p, const Neighbors& n, int cluster,
-                                                const Lanes& lanes) {
+KOKKOS_FORCEINLINE_FUNCTION Moments sum_moments(const Sight& see, int cluster, const Lanes& lanes) {
   const Pack zero(Real(0));
   Moments m{{zero, zero, zero}, {zero, zero, zero}, zero};
-  const auto x_i = lanes.load_vector(p.position);
-  const Pack inverse_support_i = lanes.load(p.inverse_support);
-  for_each_neighbor(n, cluster, [&](int j) {
-    const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const Pack slope = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
+  see.for_each_pair(cluster, lanes, [&](int, const Vector3Of<Pack>& x_ij, const Pack& slope) {
     const Pack r2 = dot(x_ij, x_ij);
     const auto grad = slope * x_ij;
     m.gradient = m.gradient + grad;
@@ -45,71 +73,100 @@ KOKKOS_FORCEINLINE_FUNCTION Moments sum_moments(const Particles& p, const Neighb
 }
 
 // From how far neighbours lack to the shift and its sum over all.
-KOKKOS_FORCEINLINE_FUNCTION void store_shifts(const Particles& p, const Lanes& lanes, const Moments& m) {
-  for (int lane = 0; lane < lanes.size; ++lane) {
-    const int i = lanes.first + lane;
-    const Real lacking = p.surface_shift(i, 0);
-    if (!(lacking > 0)) continue;
-    const Vector3 s = (-reach * lacking / lane_of(m.second, lane)) * lane_of(m.third, lane);
-    const Vector3 shift = multiply(load_tensor(p.pair_stress, i), s);
-    p.surface_shift(i, 0) = dot(shift, lane_of(m.gradient, lane));
-    p.surface_shift(i, 1) = shift.x, p.surface_shift(i, 2) = shift.y, p.surface_shift(i, 3) = shift.z;
-  }
+void find_surface_shifts(const Sight& see) {
+  const Particles p = see.p;
+  Kokkos::parallel_for(
+      "surface_shifts", Range(0, see.n.clusters), KOKKOS_LAMBDA(int cluster) {
+        if (!see.is_at_surface(cluster)) return;
+        const Lanes lanes{see.n.first(cluster), see.n.size(cluster)};
+        const Moments m = sum_moments(see, cluster, lanes);
+        for (int lane = 0; lane < lanes.size; ++lane) {
+          const int i = lanes.first + lane;
+          const Real lacking = p.surface_shift(i, 0);
+          if (!(lacking > 0)) continue;
+          const Vector3 s = (-reach * lacking / lane_of(m.second, lane)) * lane_of(m.third, lane);
+          const Vector3 shift = multiply(see.K(i), s);
+          p.surface_shift(i, 0) = dot(shift, lane_of(m.gradient, lane));
+          p.surface_shift(i, 1) = shift.x, p.surface_shift(i, 2) = shift.y, p.surface_shift(i, 3) = shift.z;
+        }
+      });
 }
 
-// sum_j V_j (s~_i . grad W_ij) L_j
-KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> sum_gradients(const Particles& p, const Neighbors& n, int cluster,
-                                                          const Lanes& lanes) {
-  const Pack zero(Real(0));
-  Tensor3Of<Pack> sum{zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  const auto x_i = lanes.load_vector(p.position);
-  const Pack inverse_support_i = lanes.load(p.inverse_support);
-  // Of lanes inside the sum is not zero, but goes nowhere.
-  const Vector3Of<Pack> shift{lanes.load(p.surface_shift, 1), lanes.load(p.surface_shift, 2),
-                              lanes.load(p.surface_shift, 3)};
-  for_each_neighbor(n, cluster, [&](int j) {
-    const auto x_ij = x_i - broadcast_vector(p.position, j);
-    const Pack slope = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
-    const Pack share = slope * dot(x_ij, shift);
-    const auto L = broadcast_tensor(p.points.velocity_gradient, j);
-    sum.xx += share * L.xx, sum.xy += share * L.xy, sum.xz += share * L.xz;
-    sum.yx += share * L.yx, sum.yy += share * L.yy, sum.yz += share * L.yz;
-    sum.zx += share * L.zx, sum.zy += share * L.zy, sum.zz += share * L.zz;
-  });
-  return sum;
+// The tensors that are led outwards.
+struct VelocityGradients {
+  TensorField L;
+  SWARF_FN Tensor3 operator()(int i) const { return load_tensor(L, i); }
+};
+struct DeformationRates {
+  TensorField L, F;
+  SWARF_FN Tensor3 operator()(int i) const { return multiply(load_tensor(L, i), load_tensor(F, i)); }
+};
+
+// (s . grad A) (1 - n n) to surface_term.
+template <class Tensors>
+void find_changes(const Sight& see, const Tensors& A) {
+  Kokkos::parallel_for(
+      "correct_surface", Range(0, see.n.clusters), KOKKOS_LAMBDA(int cluster) {
+        if (!see.is_at_surface(cluster)) return;
+        const Lanes lanes{see.n.first(cluster), see.n.size(cluster)};
+        const Vector3Of<Pack> shift{lanes.load(see.p.surface_shift, 1), lanes.load(see.p.surface_shift, 2),
+                                    lanes.load(see.p.surface_shift, 3)};
+        const Pack zero(Real(0));
+        Tensor3Of<Pack> sum{zero, zero, zero, zero, zero, zero, zero, zero, zero};
+        see.for_each_pair(cluster, lanes, [&](int j, const Vector3Of<Pack>& x_ij, const Pack& slope) {
+          const Pack share = slope * dot(x_ij, shift);
+          const Tensor3 T = A(j);
+          sum.xx += share * Pack(T.xx), sum.xy += share * Pack(T.xy), sum.xz += share * Pack(T.xz);
+          sum.yx += share * Pack(T.yx), sum.yy += share * Pack(T.yy), sum.yz += share * Pack(T.yz);
+          sum.zx += share * Pack(T.zx), sum.zy += share * Pack(T.zy), sum.zz += share * Pack(T.zz);
+        });
+        for (int lane = 0; lane < lanes.size; ++lane) { // of those inside the sum goes nowhere
+          const int i = lanes.first + lane;
+          if (see.p.surface_shift(i, 0) == 0) continue;
+          const Tensor3 change = lane_of(sum, lane) + (-see.p.surface_shift(i, 0)) * A(i);
+          store_tensor(see.p.surface_term, i, along_surface(change, see.shift(i)));
+        }
+      });
 }
 
-SWARF_FN bool is_at_surface(const Particles& p, const Neighbors& n, int cluster) {
-  for (int i = n.first(cluster); i < n.first(cluster) + n.size(cluster); ++i)
-    if (p.surface_shift(i, 0) != 0) return true;
-  return false;
+// L, or in the initial frame dF/dt in its place.
+template <class Tensors>
+void add_changes(const Sight& see, const Tensors& A) {
+  const Particles p = see.p;
+  find_changes(see, A);
+  Kokkos::parallel_for(
+      "correct_surface_gradient", Range(0, p.count), KOKKOS_LAMBDA(int i) {
+        if (p.surface_shift(i, 0) != 0)
+          store_tensor(p.points.velocity_gradient, i, A(i) + load_tensor(p.surface_term, i));
+      });
+}
+
+// F, and what follows from it: L and the correction.
+void add_deformation(const Sight& see) {
+  const Particles p = see.p;
+  find_changes(see, VelocityGradients{p.deformation_gradient});
+  Kokkos::parallel_for(
+      "correct_surface_deformation", Range(0, p.count), KOKKOS_LAMBDA(int i) {
+        if (p.surface_shift(i, 0) == 0) return;
+        const Tensor3 K0 = see.K(i),
+                      F = load_tensor(p.deformation_gradient, i) + load_tensor(p.surface_term, i);
+        const Tensor3 rate = load_tensor(p.points.velocity_gradient, i);
+        store_tensor(p.deformation_gradient, i, F);
+        store_correction(p, i, multiply(cofactor(F), K0));
+        store_tensor(p.points.velocity_gradient, i, multiply(rate, inverse(F, determinant(F))));
+      });
 }
 
 } // namespace
 
 void correct_surface(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
+  const bool initial = p.deformation_gradient.extent(0) > 0;
+  const Sight see{p, n, initial ? n.build_position : p.position, initial};
   copy_to_images<Images::in_surface_gradient>("update_image_gradient", p, n, planes);
-  Kokkos::parallel_for(
-      "correct_surface", Range(0, n.clusters), KOKKOS_LAMBDA(int cluster) {
-        if (!is_at_surface(p, n, cluster)) return;
-        const Lanes lanes{n.first(cluster), n.size(cluster)};
-        store_shifts(p, lanes, sum_moments(p, n, cluster, lanes));
-        const auto sum = sum_gradients(p, n, cluster, lanes);
-        for (int lane = 0; lane < lanes.size; ++lane) {
-          const int i = lanes.first + lane;
-          if (p.surface_shift(i, 0) == 0) continue;
-          const Tensor3 change =
-              lane_of(sum, lane) + (-p.surface_shift(i, 0)) * load_tensor(p.points.velocity_gradient, i);
-          const Vector3 shift{p.surface_shift(i, 1), p.surface_shift(i, 2), p.surface_shift(i, 3)};
-          store_tensor(p.surface_term, i, along_surface(change, shift));
-        }
-      });
-  Kokkos::parallel_for(
-      "correct_surface_gradient", Range(0, p.count), KOKKOS_LAMBDA(int i) {
-        if (p.surface_shift(i, 0) != 0)
-          store_tensor(p.points.velocity_gradient, i,
-                       load_tensor(p.points.velocity_gradient, i) + load_tensor(p.surface_term, i));
-      });
+  find_surface_shifts(see);
+  if (!initial) return add_changes(see, VelocityGradients{p.points.velocity_gradient});
+  add_changes(see, DeformationRates{p.points.velocity_gradient, p.deformation_gradient});
+  add_deformation(see);
 }
 
 } // namespace swarf

@@ -16,9 +16,12 @@ void prepare_pair_state(const Particles& p, const MaterialTable& materials, cons
       "prepare_pair_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
         const Symmetric3 stress = load_symmetric(points.stress, i);
         const Tensor3 K = correct ? load_tensor(p.pair_stress, i) : identity3();
-        Tensor3 shown = to_tensor(stress);
-        if (surfaces) shown = shown + load_tensor(p.surface_term, i);
-        store_tensor(p.pair_stress, i, multiply(shown, K));
+        Tensor3 shown = multiply(to_tensor(stress), K);
+        if (surfaces) {
+          const Tensor3 K0 = initial ? without_cofactor(K, load_tensor(p.deformation_gradient, i)) : K;
+          shown = shown + multiply(load_tensor(p.surface_term, i), K0);
+        }
+        store_tensor(p.pair_stress, i, shown);
         const Symmetric3 D = symmetric_part(load_tensor(points.velocity_gradient, i));
         store_tensor(points.velocity_gradient, i, to_tensor(D));
         const Real density = points.density(i) * mass_factor;

@@ -5,10 +5,12 @@
 // The correction J F^-T K0 makes sigma the first Piola-Kirchhoff stress times K0: the forces of
 // particle_forces, with grad W(X_ij), then do the work of the stresses, V0 J sigma : L.
 // Reads position, velocity, volume (V0), inverse_support, build_position (X). Writes velocity_gradient, the
-// correction to pair_stress and heat_shape, deformation_gradient, rows [0, count + tied), and marks. Where J
+// correction to pair_stress and heat_shape, deformation_gradient, how far neighbours lack to surface_shift,
+// rows [0, count + tied), and marks. Where J
 // <= 0 the density becomes negative: update_stress reports it.
 #include "correction.hpp"
 #include "swarf/pair.hpp"
+#include "swarf/surface.hpp"
 
 namespace swarf {
 namespace {
@@ -52,18 +54,21 @@ KOKKOS_INLINE_FUNCTION ReferenceSums sum_neighbors(const Particles& p, const Nei
 } // namespace
 
 void reference_gradient(const Particles& p, const Neighbors& n) {
+  const bool surfaces = p.surface_shift.extent(0) > 0;
   Kokkos::parallel_for(
       "reference_gradient", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};
         const ReferenceSums s = sum_neighbors(p, n, cluster, lanes);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
-          const Tensor3 K0 = correction_from(to_tensor(lane_of(s.A, lane)));
+          const Tensor3 A = to_tensor(lane_of(s.A, lane)), K0 = correction_from(A);
+          if (surfaces)
+            p.surface_shift(i, 0) = i < p.count && is_inverse(K0, A) ? lacking_neighbors(A) : Real(0);
           const Tensor3 F = identity3() + multiply(lane_of(s.displacement, lane), K0);
           const Real J = determinant(F);
-          const Tensor3 inverse_F = inverse(F, J), cofactor = transpose(inverse(F, Real(1))); // J F^-T
+          const Tensor3 inverse_F = inverse(F, J);
           store_tensor(p.deformation_gradient, i, F);
-          store_correction(p, i, multiply(cofactor, K0));
+          store_correction(p, i, multiply(cofactor(F), K0));
           store_tensor(p.points.velocity_gradient, i,
                        multiply(multiply(lane_of(s.velocity, lane), K0), inverse_F));
         }

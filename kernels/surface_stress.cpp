@@ -1,9 +1,11 @@
 // The adjoint of correct_surface in the forces: with T_i = sigma_i (1 - n_i n_i) the work of the stresses is
-//   sum_i V_i [sigma_i : L_i + T_i : sum_j V_j (s~_i . grad W_ij) (L_j - L_i)] = sum_k V_k (sigma_k + t_k) :
-//   L_k, t_k = sum_i V_i T_i (s~_i . grad_i W_ik) - T_k sum_j V_j (s~_k . grad W_kj),
+//   sum_i V_i [sigma_i : L_i + T_i : sum_j V_j (s~_i . grad W_ij) (L_j - L_i)] =
+//       sum_k V_k (sigma_k + t_k) : L_k,
+//   t_k = sum_i V_i T_i (s~_i . grad_i W_ik) - T_k sum_j V_j (s~_k . grad W_kj),
 // L without what the surface adds, so that particle_forces needs no more than sigma + t in the place of
-// sigma. Reads position, volume, inverse_support, stress, surface_shift; writes t to surface_term, rows [0,
-// count + tied).
+// sigma. In the initial frame sigma is the first Piola-Kirchhoff stress J sigma F^-T, and L is dF/dt. Reads
+// position or build_position, deformation_gradient, volume, inverse_support, stress, surface_shift; writes t
+// to surface_term, rows [0, count + tied).
 #include "copy_to_images.hpp"
 #include "swarf/pair.hpp"
 #include "swarf/surface.hpp"
@@ -15,18 +17,22 @@ SWARF_FN Vector3 load_shift(const Particles& p, int i) {
   return {p.surface_shift(i, 1), p.surface_shift(i, 2), p.surface_shift(i, 3)};
 }
 SWARF_FN Tensor3 stress_along_surface(const Particles& p, int i) {
-  return along_surface(to_tensor(load_symmetric(p.points.stress, i)), load_shift(p, i));
+  Tensor3 stress = to_tensor(load_symmetric(p.points.stress, i));
+  if (p.deformation_gradient.extent(0) > 0)
+    stress = multiply(stress, cofactor(load_tensor(p.deformation_gradient, i)));
+  return along_surface(stress, load_shift(p, i));
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> sum_stresses(const Particles& p, const Neighbors& n, int cluster,
                                                          const Lanes& lanes) {
   const Pack zero(Real(0));
   Tensor3Of<Pack> t{zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  const auto x_k = lanes.load_vector(p.position);
+  const VectorField& from = p.deformation_gradient.extent(0) > 0 ? n.build_position : p.position;
+  const auto x_k = lanes.load_vector(from);
   const Pack inverse_support_k = lanes.load(p.inverse_support);
   for_each_neighbor(n, cluster, [&](int i) {
     if (p.surface_shift(i, 0) == 0) return;
-    const auto x_ki = x_k - broadcast_vector(p.position, i);
+    const auto x_ki = x_k - broadcast_vector(from, i);
     const Pack slope = pair_slope(p.volume(i), x_ki, mean_inverse_h(inverse_support_k, p.inverse_support(i)));
     const Vector3 s = load_shift(p, i);
     const Pack share = slope * (Pack(-s.x) * x_ki.x + Pack(-s.y) * x_ki.y + Pack(-s.z) * x_ki.z);
@@ -38,10 +44,27 @@ KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> sum_stresses(const Particles& p, con
   return t;
 }
 
+// Most images are not at a surface: of these no more than that.
+void show_images(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
+  const int first = n.image_first;
+  const auto source = n.image_source;
+  for (int k = 0; k < n.planes; ++k) {
+    const Transform map = planes[std::size_t(k)].to_image;
+    Kokkos::parallel_for(
+        "surface_images", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
+          const int from = source(image), to = first + image;
+          if (p.surface_shift(from, 0) == 0)
+            p.surface_shift(to, 0) = 0;
+          else
+            for_each_field(p, CopyToImage<Images::in_surface_stress>{from, to, map});
+        });
+  }
+}
+
 } // namespace
 
 void surface_stress(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
-  copy_to_images<Images::in_surface_stress>("update_image_shift", p, n, planes);
+  show_images(p, n, planes);
   Kokkos::parallel_for(
       "surface_stress", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};

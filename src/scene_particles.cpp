@@ -63,7 +63,7 @@ bool uses(const Deck& deck, Method method) {
   case Method::with_summation:
     return set.density == "summation";
   case Method::with_surface_gradient:
-    return set.correction && set.correct_forces && !initial;
+    return set.correction && set.correct_forces;
   case Method::with_tool_heat:
     return deck.tool && !deck.tool->material.empty();
   }

@@ -11,8 +11,8 @@ struct Balance {
   Real magnitude = 0, arm_magnitude = 0, force_power = 0, stress_power = 0, added_power = 0;
 };
 
-// Random stress and velocity on a disordered block with free surfaces.
-Balance balance_of_forces() {
+// Random stress and velocity on a disordered block with free surfaces; in the initial frame also deformed.
+Balance balance_of_forces(bool initial) {
   ParticleBlock b = particle_block(9, 8, 7, Real(1e-3), Real(0.1));
   Particles& p = b.particles;
   p.surface_shift = View<Real* [4]>("surface_shift", p.count);
@@ -26,8 +26,17 @@ Balance balance_of_forces() {
     for (int c = 0; c < 3; ++c) v(i, c) = 10 * u(random);
   }
   Kokkos::deep_copy(p.points.stress, s), Kokkos::deep_copy(p.velocity, v);
+  if (initial) p.deformation_gradient = TensorField("deformation_gradient", p.count);
+  b.method.initial_frame = initial;
   build_lists(b);
-  velocity_gradient(p, b.neighbors, b.method);
+  if (initial) {
+    set_rows(p.position, p.count, [&](const Vector3& x) {
+      return x + Real(5e-5) * Vector3{u(random), u(random), u(random)};
+    });
+    reference_gradient(p, b.neighbors);
+  } else {
+    velocity_gradient(p, b.neighbors, b.method);
+  }
   const auto plain = host_copy(copy_of(p.points.velocity_gradient));
   correct_surface(p, b.neighbors, {});
   const auto x = host_copy(p.position);
@@ -46,23 +55,28 @@ Balance balance_of_forces() {
     sum.magnitude += norm(f_i), sum.arm_magnitude += norm(x_i) * norm(f_i);
     sum.force_power += dot(f_i, load_vector(velocity, i));
     const Symmetric3 sigma = load_symmetric(stress, i);
-    const Real own = contract(sigma, symmetric_part(load_tensor(L, i)));
+    const Real J = initial ? determinant(load_tensor(p.deformation_gradient, i)) : Real(1);
+    const Real own = J * contract(sigma, symmetric_part(load_tensor(L, i)));
     sum.stress_power += V(i) * own;
-    sum.added_power += V(i) * (own - contract(sigma, symmetric_part(load_tensor(plain, i))));
+    sum.added_power += V(i) * (own - J * contract(sigma, symmetric_part(load_tensor(plain, i))));
   }
   return sum;
 }
 
 TEST(SurfaceStress, ForcesDoTheWorkOfTheStresses) {
-  const Balance sum = balance_of_forces();
-  EXPECT_GT(std::abs(sum.added_power), Real(1e-3) * std::abs(sum.stress_power));
-  EXPECT_NEAR(sum.force_power, -sum.stress_power, 1e4 * round_off * std::abs(sum.stress_power));
+  for (const bool initial : {false, true}) {
+    const Balance sum = balance_of_forces(initial);
+    EXPECT_GT(std::abs(sum.added_power), Real(1e-3) * std::abs(sum.stress_power));
+    EXPECT_NEAR(sum.force_power, -sum.stress_power, 1e4 * round_off * std::abs(sum.stress_power));
+  }
 }
 
 TEST(SurfaceStress, KeepsLinearAndAngularMomentum) {
-  const Balance sum = balance_of_forces();
-  EXPECT_LT(norm(sum.force), 100 * round_off * sum.magnitude);
-  EXPECT_LT(norm(sum.torque), 100 * round_off * sum.arm_magnitude);
+  for (const bool initial : {false, true}) {
+    const Balance sum = balance_of_forces(initial);
+    EXPECT_LT(norm(sum.force), 100 * round_off * sum.magnitude);
+    EXPECT_LT(norm(sum.torque), 100 * round_off * sum.arm_magnitude);
+  }
 }
 
 } // namespace swarf::test

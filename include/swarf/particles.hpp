@@ -89,7 +89,8 @@ struct Particles {
     visit("hourglass_displacement", p.hourglass_displacement,
           Facts<vector, history, before_forces, with_hourglass_stiffness, transported>());
     visit("hourglass_rate", p.hourglass_rate, Facts<vector, history, with_hourglass_stiffness>());
-    visit("deformation_gradient", p.deformation_gradient, Facts<tensor, before_forces, with_initial_frame>());
+    visit("deformation_gradient", p.deformation_gradient,
+          Facts<tensor, in_surface_gradient, in_surface_stress, before_forces, with_initial_frame>());
     visit("heat", p.heat, Facts<with_conduction>());
     visit("damping", p.damping, Facts<history, with_sleep>());
     visit("surface_normal", p.surface_normal, Facts<vector, history, in_find_shifts, with_shifting>());

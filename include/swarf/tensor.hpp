@@ -121,6 +121,11 @@ SWARF_FN Tensor3 inverse(const Tensor3& a, Real det) {
           s * (a.yz * a.zx - a.yx * a.zz), s * (a.xx * a.zz - a.xz * a.zx), s * (a.xz * a.yx - a.xx * a.yz),
           s * (a.yx * a.zy - a.yy * a.zx), s * (a.xy * a.zx - a.xx * a.zy), s * (a.xx * a.yy - a.xy * a.yx)};
 }
+SWARF_FN Tensor3 cofactor(const Tensor3& F) { return transpose(inverse(F, Real(1))); } // J F^-T
+// B where A is cofactor(F) B
+SWARF_FN Tensor3 without_cofactor(const Tensor3& A, const Tensor3& F) {
+  return (Real(1) / determinant(F)) * multiply(transpose(F), A);
+}
 // Q A Q^T
 SWARF_FN Symmetric3 rotate(const Tensor3& Q, const Symmetric3& a) {
   return symmetric_part(multiply(multiply(Q, to_tensor(a)), transpose(Q)));

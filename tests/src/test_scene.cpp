@@ -198,6 +198,47 @@ TEST(Scene, Faces) {
   EXPECT_NEAR(image.z, 3e-3, 1e-9);
 }
 
+// Each particle of a held row follows the one behind it, whole where held faces meet.
+TEST(Scene, HeldRowsFollowTheNext) {
+  Deck deck = empty_deck();
+  deck.bodies = {block("b", "particles", {0, 0, 0}, {5e-3, 4e-3, 3e-3}, 1e-3)};
+  deck.bodies[0].faces = {{"x_min", "fixed", {}}, {"y_max", "velocity", {0, 0, -5}}};
+  const Scene scene = build_scene(deck);
+  const auto bits = host_copy(scene.particles.constraints);
+  const auto x = host_copy(scene.particles.position), v = host_copy(scene.particles.velocity);
+  for (int i = 0; i < scene.particles.count; ++i) {
+    const bool at_x = x(i, 0)<1e-3, at_y = x(i, 1)> 3e-3;
+    EXPECT_EQ((bits(i) & follows_bit) != 0, at_x != at_y);
+    EXPECT_NEAR(v(i, 2), at_y && !at_x ? -5 * 2.0 / 3 : 0, 1e-6);
+  }
+  const HeldRows& rows = scene.held_rows;
+  const auto host = host_copy(rows.host), start = host_copy(rows.start), held = host_copy(rows.held);
+  EXPECT_EQ(rows.held.extent(0), std::size_t(3 * 3 + 4 * 3)); // without the edge
+  EXPECT_EQ(rows.groups, 3 * 3 + 4 * 3 - 3);                  // one host of both next to the edge
+  for (int g = 0; g < rows.groups; ++g)
+    for (int k = start(g); k < start(g + 1); ++k)
+      EXPECT_NEAR(norm(load_vector(x, host(g)) - load_vector(x, held(k))), 1e-3, 1e-9);
+}
+
+// Faces of two layers, and round ones, have none behind.
+TEST(Scene, RowsWithoutAnotherBehindAreHeld) {
+  Deck deck = empty_deck();
+  deck.bodies = {block("b", "particles", {0, 0, 0}, {2e-3, 4e-3, 3e-3}, 1e-3)};
+  deck.bodies[0].faces = {{"x_min", "fixed", {}}};
+  EXPECT_EQ(build_scene(deck).held_rows.groups, 0);
+  deck.bodies = {body("c", "cylinder", "particles")};
+  deck.bodies[0].radius = 4e-3, deck.bodies[0].height = 4e-3, deck.bodies[0].spacing = 1e-3;
+  deck.bodies[0].faces = {{"side", "fixed", {}}};
+  EXPECT_EQ(build_scene(deck).held_rows.groups, 0);
+  deck.bodies[0].faces = {{"bottom", "fixed", {}}};
+  const Scene scene = build_scene(deck);
+  const auto x = host_copy(scene.particles.position);
+  const auto host = host_copy(scene.held_rows.host), held = host_copy(scene.held_rows.held);
+  EXPECT_GT(scene.held_rows.groups, 40);
+  for (int g = 0; g < scene.held_rows.groups; ++g)
+    EXPECT_NEAR(norm(load_vector(x, host(g)) - load_vector(x, held(g)) - Vector3{0, 0, Real(1e-3)}), 0, 1e-9);
+}
+
 // Every node couple maps by its transform; the masses of a pair are equal and the total is kept.
 TEST(Scene, PeriodicSector) {
   Deck deck = empty_deck();

@@ -14,8 +14,7 @@ Deck column(const std::string& fill, int across) {
   Deck deck = default_deck();
   deck.materials[0].density = density, deck.materials[0].youngs_modulus = E;
   deck.materials[0].poissons_ratio = nu;
-  const double a = width / across, below = fill == "particles" ? a : 0; // particles are held by a layer
-  deck.bodies = {block("column", fill, {-width / 2, -width / 2, -below}, {width, width, length + below}, a)};
+  deck.bodies = {block("column", fill, {-width / 2, -width / 2, 0}, {width, width, length}, width / across)};
   deck.bodies[0].faces = {{"z_min", "fixed", {}}};
   return deck;
 }
