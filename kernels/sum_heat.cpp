@@ -45,6 +45,7 @@ HeatSums sum_heat(const ToolHeat& t) {
         if (t.capacity(c) < Kokkos::Experimental::infinity_v<Real>)
           s.tool += t.capacity(c) * (t.temperature(c) - t.start_temperature);
         s.out += t.out(c);
+        if (t.temperature(c) > s.tool_hottest) s.tool_hottest = t.temperature(c), s.hottest_cell = c;
       });
 }
 

@@ -27,21 +27,19 @@ SWARF_FN int cell_below(const ToolHeat& heat, const ToolDistance& at) {
 }
 
 // Half a particle of the work, the interface, and the tool down to the middle of its cell; a node lies on the
-// surface itself. A point that has just parted leaves the work of its spring where it touched last, in no
-// time.
-SWARF_FN Real heat_to_tool(const ContactPoints& points, int i, const ToolHeat& heat, const ContactLaw& law,
-                           const Material& mat, Real made, Real dt) {
+// surface itself.
+SWARF_FN HeatContact heat_contact(const ContactPoints& points, int i, const ToolHeat& heat,
+                                  const ContactLaw& law, const Material& mat) {
   const bool is_node = points.heat.extent(0) > 0;
   const Real area = points.area(i), half_interface = Real(0.5) * law.heat_resistance;
   const int cell = points.tool_cell(i);
   HeatContact at;
   at.work_capacity = is_node ? points.heat_capacity(i) : heat_capacity(mat, points.mass(i));
-  at.work_temperature =
-      points.temperature(i) + (is_node ? points.heat(i) / points.heat_capacity(i) : Real(0));
+  at.work_temperature = points.temperature(i) + (is_node ? points.heat(i) / at.work_capacity : Real(0));
   at.tool_temperature = heat.temperature(cell);
   at.work_resistance = (half_interface + (is_node ? Real(0) : points.gap(i) / mat.conductivity)) / area;
   at.tool_resistance = (half_interface + heat.depth(cell) / heat.conductivity) / area;
-  return heat_into_tool(at, made, dt);
+  return at;
 }
 
 } // namespace
@@ -80,11 +78,12 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
         const Material& mat = materials(is_node ? 0 : points.material(i)); // a node's is not asked
         Real to_work = law.heat_to_workpiece * response.dissipated;
         if (conducts) {
+          // A point that has just parted leaves the work of its spring where it touched last, in no time.
           if (touches) points.tool_cell(i) = cell_below(tool.heat, at);
-          const Real made = response.dissipated;
-          const Real to_tool = heat_to_tool(points, i, tool.heat, law, mat, made, touches ? dt : Real(0));
+          const Real to_tool = heat_into_tool(heat_contact(points, i, tool.heat, law, mat),
+                                              response.dissipated, touches ? dt : Real(0));
           points.heat_to_tool(i) += to_tool;
-          to_work = made - to_tool;
+          to_work = response.dissipated - to_tool;
         }
         if (is_node)
           points.heat(i) += to_work;

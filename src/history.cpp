@@ -36,6 +36,9 @@ void for_each_column(const HistorySample& s, int teeth, Visitor&& visit) {
   visit("plastic_heat", "J", s.plastic_heat), visit("work_heat", "J", s.work_heat);
   visit("tool_heat", "J", s.tool_heat), visit("heat_out", "J", s.heat_out);
   visit("heat_residual", "J", s.heat_residual);
+  visit("tool_max_temperature", "K", s.tool_hottest);
+  for (int c = 0; c < 3; ++c)
+    visit(fmt::format("tool_hottest_{}", "xyz"[c]), "m", s.tool_hottest_at[std::size_t(c)]);
   visit("max_temperature", "K", s.max_temperature), visit("max_plastic_strain", "1", s.max_plastic_strain);
   visit("max_velocity", "m/s", s.max_velocity);
   visit("particles_in_contact", "1", s.particles_in_contact);

@@ -27,6 +27,8 @@ struct HistorySample {
   double work_heat = 0, tool_heat = 0; // J, stored since the start
   double heat_out = 0;                 // J, that has left through what is held
   double heat_residual = 0;            // J, stored and gone, less what was made
+  double tool_hottest = 0;             // K, of a tool that conducts, and where in its frame, m
+  std::array<double, 3> tool_hottest_at{};
   double max_temperature = 0, max_plastic_strain = 0, max_velocity = 0;
   double particles_in_contact = 0;
 };

@@ -19,7 +19,7 @@ std::vector<Point> velocities_of(const BodyDeck& body) {
 
 struct Passage {
   const ToolDeck* tool;
-  const Shape* shape;
+  Shape shape;
   Point velocity; // of the body
   double end;     // s
 
@@ -31,7 +31,7 @@ struct Passage {
       const Vector3 world =
           pose.position + direction_to_world(make_frame(pose), {Real(x.x()), Real(x.y()), Real(x.z())});
       const Point at = Point(double(world.x), double(world.y), double(world.z)) - t * velocity;
-      const double distance = shape->signed_distance(at);
+      const double distance = shape.signed_distance(at);
       least = std::min(least, std::max(0.0, distance));
       const Point moving = Point(double(pose.velocity.x), double(pose.velocity.y), double(pose.velocity.z));
       const double speed =
@@ -57,20 +57,22 @@ std::optional<std::array<double, 2>> find_slice(const Deck& deck) {
 
 // 4 sqrt(alpha t): a step of temperature at the surface is felt there by half a per cent.
 HeatPlan plan_tool_heat(const Deck& deck, const std::vector<Shape>& shapes, double finest) {
-  const MaterialDeck& m = *find_material(deck, deck.tool->material);
-  const double diffusivity = m.conductivity / m.density / m.specific_heat;
   HeatPlan plan;
+  plan.material = *find_material(deck, deck.tool->material);
+  const double diffusivity = plan.material.conductivity / plan.material.density / plan.material.specific_heat;
   plan.finest = finest;
   plan.reach = std::max(8 * finest, 4 * std::sqrt(diffusivity * end_time_of(deck)));
   plan.held_beyond = deck.tool->held_beyond;
   plan.slice = find_slice(deck);
   std::vector<Passage> passages;
-  for (const Shape& shape : shapes)
+  for (Shape shape : shapes) {
+    shape.inner = [least = shape.inner_least](double, double) { return least; }; // the exact one takes longer
     for (const Point& v : velocities_of(*shape.body))
-      passages.push_back({&*deck.tool, &shape, v, end_time_of(deck)});
+      passages.push_back({&*deck.tool, shape, v, end_time_of(deck)});
+  }
   plan.distance_to_work = [passages, finest](const Point& x) {
     double least = std::numeric_limits<double>::infinity();
-    for (const Passage& p : passages) least = std::min(least, p.nearest(x, finest / 2));
+    for (const Passage& p : passages) least = std::min(least, p.nearest(x, finest));
     return least;
   };
   return plan;

@@ -170,8 +170,7 @@ void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& sc
   std::vector<Shape> shapes;
   for (const FilledBody& b : bodies) shapes.push_back(b.shape);
   const HeatPlan plan = plan_tool_heat(deck, shapes, scene.spacing > 0 ? scene.spacing : cell);
-  const MaterialDeck& material = *find_material(deck, deck.tool->material);
-  scene.tool.heat = build_tool_heat(scene.tool, surface, *deck.tool, material, plan);
+  scene.tool.heat = build_tool_heat(scene.tool, surface, *deck.tool, plan);
   scene.tool.heat.first = IndexField("tool_first", std::size_t(scene.tool.heat.cells) + 1);
   scene.heat_reach = plan.reach;
 }

@@ -171,7 +171,6 @@ void Simulation::press_tool() {
     }
   }
   couple_nodes(model.hexes, model.node_transforms, true);
-  if (deck.tool && !conducts) take_contact_heat();
   timer.mark("contact");
 }
 

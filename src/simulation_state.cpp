@@ -160,6 +160,7 @@ StableStep Simulation::limit_step() {
 void Simulation::check() {
   timer.restart();
   check_status();
+  if (deck.tool && !conducts) take_contact_heat(); // else conduct() does, before it moves on
   const StableStep limit = limit_step();
   if (limit.limiter < 0) fail("every hex that is awake has failed, and no particle is");
   step_size = deck.run.courant * double(limit.dt);
@@ -246,6 +247,11 @@ void Simulation::book_heat(HistorySample& s) const {
   s.plastic_heat = double(sums.plastic), s.heat_out = double(sums.out);
   s.work_heat = double(sums.work) - initial_heat;
   s.tool_heat = double(sums.tool) + lost * s.frictional;
+  if (sums.hottest_cell >= 0) {
+    const auto at = host_copy(model.tool.heat.centre);
+    s.tool_hottest = double(sums.tool_hottest);
+    for (int d = 0; d < 3; ++d) s.tool_hottest_at[std::size_t(d)] = double(at(sums.hottest_cell, d));
+  }
   s.heat_residual = s.work_heat + s.tool_heat + s.heat_out - s.plastic_heat - s.frictional;
 }
 

@@ -97,7 +97,8 @@ void upload_links(ToolHeat& heat, const std::vector<Link>& links) {
 } // namespace
 
 ToolHeat build_tool_heat(const Tool& tool, const FacetSurface& surface, const ToolDeck& deck,
-                         const MaterialDeck& material, const HeatPlan& plan) {
+                         const HeatPlan& plan) {
+  const MaterialDeck& material = plan.material;
   const double coarsest = std::max(plan.finest, plan.reach / 4);
   const ToolSurvey survey(tool, surface, deck, coarsest);
   ToolOctree octree = grow_octree(surface, survey, plan);
@@ -135,6 +136,9 @@ ToolHeat build_tool_heat(const Tool& tool, const FacetSurface& surface, const To
   heat.depth = upload<ScalarField>("tool_depth", heat.cells, [&](auto& f, int c) {
     const Leaf& leaf = *cells[std::size_t(c)];
     f(c) = Real(std::min(-leaf.distance, leaf.size)); // only cells at the surface are asked
+  });
+  heat.centre = upload<VectorField>("tool_centre", heat.cells, [&](auto& f, int c) {
+    store_vector(f, c, to_vector3(cells[std::size_t(c)]->centre));
   });
   heat.heat = ScalarField("tool_heat", cells.size()), heat.out = ScalarField("tool_out", cells.size());
 

@@ -13,7 +13,7 @@ std::vector<ToolSurvey::At> ToolSurvey::measure(const std::vector<Point>& x, dou
   const VectorField points = upload<VectorField>("points", int(x.size()), [&](auto& f, int i) {
     for (int d = 0; d < 3; ++d) f(i, d) = Real(x[std::size_t(i)][d]);
   });
-  const auto found = host_copy(tool_distance(radius <= double(near.reach) ? near : far, points));
+  const auto found = host_copy(distance_to_tool(radius <= double(near.reach) ? near : far, points));
   std::vector<At> all;
   for (int i = 0; i < int(x.size()); ++i)
     all.push_back(

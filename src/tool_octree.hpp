@@ -8,6 +8,7 @@
 namespace swarf {
 
 struct HeatPlan {
+  MaterialDeck material;
   double finest = 0;                          // m, edge of the cells that the work touches
   double reach = 0;                           // m from what the work touches: no heat gets farther in the run
   std::optional<double> held_beyond;          // m from there: the temperature is held

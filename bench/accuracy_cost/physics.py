@@ -28,6 +28,20 @@ def harder(share):
     return change
 
 
+def insulated_tool(share):
+    """The tool takes the rest of the friction heat, and nothing else."""
+    def change(deck):
+        for key in ("material", "temperature"):
+            deck["tool"].pop(key, None)
+        deck["contact"]["heat_to_workpiece"] = share
+    return change
+
+
+def adiabatic(deck):
+    insulated_tool(0.5)(deck)
+    material(conductivity="0 W/m/K")(deck)
+
+
 POINTS = [Point(SCENE, GROUP, label, change) for label, change in (
     ("friction 0.1", setter("contact", friction=0.1)),
     ("friction 0.3", setter("contact", friction=0.3)),
@@ -36,9 +50,9 @@ POINTS = [Point(SCENE, GROUP, label, change) for label, change in (
     ("edge radius 10 um", edge_radius(10e-6)),
     ("edge radius 30 um", edge_radius(30e-6)),
     ("clearance 7 deg", setter("tool", clearance="7 deg")),
-    ("friction heat all to the tool", setter("contact", heat_to_workpiece=0.0)),
-    ("friction heat all to the work", setter("contact", heat_to_workpiece=1.0)),
-    ("no conduction", material(conductivity="0 W/m/K")),
+    ("friction heat all to the tool", insulated_tool(0.0)),
+    ("friction heat all to the work", insulated_tool(1.0)),
+    ("no conduction", adiabatic),
     ("A +10 %", harder(0.1)),
     ("C 0", material(C=0.0)),
     ("Taylor-Quinney 0", material(taylor_quinney=0.0)),

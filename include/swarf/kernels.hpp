@@ -108,7 +108,8 @@ void gather_tool_heat(const ContactPoints&, const ToolHeat&); // what points hav
 void conduct_tool(const ToolHeat&, Real dt);
 
 // --- the tool, before the run
-View<Real* [4]> tool_distance(const Tool&, const VectorField& x); // signed, and outward normal, of points x
+View<Real* [4]> distance_to_tool(const Tool&,
+                                 const VectorField& x); // signed, and outward normal, of points x
 
 // --- sleep
 struct ToolAt { // 0 facets: no tool
@@ -181,9 +182,12 @@ PointSums sum_hexes(const HexMesh&, Real mass_factor);
 struct HeatSums {             // J, above the temperature `reference`
   Real work = 0, plastic = 0; // stored in the work; made there by plastic work
   Real tool = 0, out = 0;     // stored in the tool, or on its way there; gone into what is held
+  Real tool_hottest = 0;      // K
+  int hottest_cell = -1;      // of the tool
 
   KOKKOS_INLINE_FUNCTION void add(const HeatSums& o) {
     work += o.work, plastic += o.plastic, tool += o.tool, out += o.out;
+    if (o.tool_hottest > tool_hottest) tool_hottest = o.tool_hottest, hottest_cell = o.hottest_cell;
   }
 };
 HeatSums sum_heat(const Particles&, const MaterialTable&, Real reference);

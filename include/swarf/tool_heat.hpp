@@ -14,6 +14,7 @@ struct ToolHeat {
   ScalarField capacity;       // J/K; infinite where the temperature is held
   ScalarField temperature;    // K
   ScalarField depth;          // m, of the cell's centre below the surface
+  VectorField centre;         // m, in the tool's frame
   ScalarField heat;           // J, of the last conduction
   ScalarField out;            // J, that has gone into held cells
   IndexField start, neighbor; // CSR

@@ -73,7 +73,8 @@ TEST(deck, defaults_are_filled_in) {
   EXPECT_DOUBLE_EQ(deck.bodies[0].temperature, 298.15);
   EXPECT_EQ(deck.tool->flutes, 2);
   EXPECT_EQ(deck.tool->feed_direction, (Triple{1, 0, 0}));
-  EXPECT_EQ(deck.contact.heat_to_workpiece, 0.5);
+  EXPECT_FALSE(deck.contact.heat_to_workpiece); // half, unless the tool has a material
+  EXPECT_TRUE(deck.tool->material.empty());
   EXPECT_EQ(deck.particles.smoothing_length, "fixed");
   EXPECT_TRUE(deck.particles.correction);
   EXPECT_EQ(deck.hexes.hourglass, "stiffness");

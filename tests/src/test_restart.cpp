@@ -137,6 +137,26 @@ TEST(Restart, killed_in_the_initial_frame) {
   expect_equal(folder / "whole", folder / "killed");
 }
 
+// The tool's cells, what is on its way to them, and the pace of it.
+TEST(Restart, killed_while_the_tool_takes_heat) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(
+      folder,
+      edit_small_deck({{"[[body]]", "[material.wc]\nlaw = \"rigid\"\ndensity = \"15000 kg/m3\"\n"
+                                    "specific_heat = \"203 J/kg/K\"\nconductivity = \"46 W/m/K\"\n[[body]]"},
+                       {"[tool]\n", "[tool]\nmaterial = \"wc\"\nheld_beyond = \"20 um\"\n"}}));
+  const std::size_t whole = run_whole(deck, folder / "whole");
+  ScalarField cells;
+  CheckpointReader(folder / "whole" / "checkpoint.h5").get("tool/temperature", cells);
+  const auto T = host_copy(cells);
+  EXPECT_GT(*std::max_element(T.data(), T.data() + T.extent(0)), 300);
+  const HistoryTable history = read_history(folder / "whole" / "history.csv");
+  const double made = history.at("plastic_heat").back() + history.at("friction_work").back();
+  EXPECT_GT(history.at("tool_heat").back(), 0.01 * made);
+  EXPECT_LT(std::abs(history.at("heat_residual").back()), 1e-3 * made);
+  expect_kills_and_threads_change_nothing(folder, deck, whole, 3);
+}
+
 TEST(Restart, killed_while_parts_sleep) {
   const TemporaryFolder folder;
   Edits edits = longer_sector;

@@ -31,9 +31,9 @@ ToolHeat cells_of(const FacetSurface& surface, double edge, std::optional<std::a
   ToolDeck deck;
   deck.temperature = 300;
   HeatPlan plan;
-  plan.finest = edge, plan.reach = 4 * edge, plan.slice = slice;
+  plan.material = carbide(), plan.finest = edge, plan.reach = 4 * edge, plan.slice = slice;
   plan.distance_to_work = [](const Point&) { return 0.0; };
-  return build_tool_heat(build_tool(surface, deck, 2 * edge), surface, deck, carbide(), plan);
+  return build_tool_heat(build_tool(surface, deck, 2 * edge), surface, deck, plan);
 }
 
 double volume_of(const ToolHeat& heat) { return test::sum(heat.capacity, heat.cells) / (15000.0 * 203); }
@@ -54,43 +54,15 @@ FacetSurface right_wedge() {
 // and decays with alpha (pi / L)^2.
 double mode(double u, double v) { return std::cos(test::pi * u / side) - std::cos(test::pi * v / side); }
 
-// Centres of the cells of a slice, from the tree.
-std::vector<std::array<double, 2>> centres_of(const ToolHeat& heat, double edge) {
-  std::vector<std::array<double, 2>> centres(std::size_t(heat.cells), {1e9, 1e9});
-  const auto tree = host_copy(heat.tree);
-  const auto depth = host_copy(heat.depth);
-  const int n = int(std::lround(double(heat.size) / edge));
-  std::vector<double> best(std::size_t(heat.cells), -1e9);
-  const FacetSurface surface = right_wedge();
-  const Tool tool = build_tool(surface, ToolDeck{}, 2 * side);
-  VectorField x("x", std::size_t(n) * n);
-  const auto host = Kokkos::create_mirror_view(x);
-  for (int k = 0; k < n * n; ++k)
-    host(k, 0) = heat.low.x + Real((k % n + 0.5) * edge),
-            host(k, 1) = heat.low.y + Real((k / n + 0.5) * edge), host(k, 2) = 0;
-  Kokkos::deep_copy(x, host);
-  const auto distance = host_copy(tool_distance(tool, x));
-  for (int k = 0; k < n * n; ++k) { // the cell's own place is the deepest of those that show it
-    const int cell = find_tool_cell(heat, {host(k, 0), host(k, 1), 0});
-    if (-double(distance(k, 0)) <= best[std::size_t(cell)]) continue;
-    if (std::abs(-double(distance(k, 0)) - double(depth(cell))) > 1e-3 * edge &&
-        -double(distance(k, 0)) < edge)
-      continue;
-    best[std::size_t(cell)] = -double(distance(k, 0)),
-    centres[std::size_t(cell)] = {double(host(k, 0)), double(host(k, 1))};
-  }
-  return centres;
-}
-
 struct Error {
   double mean, largest; // over the amplitude that is left
 };
 
 Error decay(double edge) {
   const ToolHeat heat = cells_of(right_wedge(), edge, {{-width / 2, width / 2}});
-  const auto centres = centres_of(heat, edge);
+  const auto centre = host_copy(heat.centre);
   const auto exact = [&](int c, double factor) {
-    const auto [x, y] = centres[std::size_t(c)];
+    const double x = double(centre(c, 0)), y = double(centre(c, 1));
     const double u = x * std::cos(turned) + y * std::sin(turned),
                  v = y * std::cos(turned) - x * std::sin(turned);
     return factor * mode(u, v);

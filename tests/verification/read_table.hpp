@@ -25,7 +25,7 @@ struct Table {
 };
 
 inline Table read_table(const std::string& name) {
-  const std::string path = std::string(SWARF_SOURCE_DIR) + "/tests/verification/data/" + name;
+  const std::string path = SWARF_SOURCE_DIR "/tests/verification/data/" + name;
   std::ifstream in(path);
   if (!in) throw std::runtime_error("cannot read " + path);
   Table table;

@@ -21,11 +21,12 @@ const double e_work = std::sqrt(k * rho * c), e_tool = std::sqrt(k_tool * rho_to
 constexpr double end = 10e-6, reach = 80 * um, hot = 400, cold = 300;
 const std::string source = "Carslaw & Jaeger 1959, ch. 2, 12";
 
-// A bar with its end at x = 0, as wide as the block, and long in z, along which it may slide.
-FacetSurface bar(double width) {
+// A bar with its end at x = 0, wider than the block by so little that nodes on the block's rim still meet its
+// end, and long in z, along which it may slide.
+FacetSurface bar(double width, double more) {
   FacetSurface box;
   for (int v = 0; v < 8; ++v)
-    box.vertices.push_back({v & 1 ? 0 : -reach, v & 2 ? width : 0, v & 4 ? 100 * um : -100 * um});
+    box.vertices.push_back({v & 1 ? 0 : -reach, v & 2 ? width + more : -more, v & 4 ? 100 * um : -100 * um});
   box.facets = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return box;
@@ -53,18 +54,19 @@ Deck meet(const Meeting& m, const TemporaryFolder& folder) {
   deck.bodies = {work};
   ToolDeck tool;
   tool.kind = "stl", tool.file = (folder / "bar.stl").string(), tool.file_scale = 1;
-  write_stl(bar(side), tool.file);
-  tool.position = {0.01 * m.spacing, 0, 0}, tool.velocity = {0, 0, m.slides ? 1.0 : 0};
+  write_stl(bar(side, 0.02 * m.spacing), tool.file);
+  tool.position = {0.005 * m.spacing, 0, 0}, tool.velocity = {0, 0, m.slides ? 1.0 : 0};
   tool.material = "carbide", tool.temperature = cold;
   deck.tool = tool;
   deck.contact.stiffness = 1e-9, deck.contact.friction = m.slides ? 0.5 : 0;
   if (m.conductance > 0) deck.contact.conductance = m.conductance;
   deck.run.end_time = end;
-  deck.run.courant = 0.3, deck.run.mass_factor = 1e6;
+  deck.run.courant = 0.3, deck.run.mass_factor = 1e5;
   return deck;
 }
 
 struct Outcome {
+  double time;      // s
   double heat;      // into the tool, J/m2
   double made;      // by friction, J/m2
   double interface; // K, between the outermost point and cell
@@ -92,38 +94,41 @@ Outcome run(const Meeting& m) {
   const auto touched = host_copy(particles ? scene.particles.tool_cell : scene.hexes.tool_cell);
   const int at = touched(row);
   const double from_work = particles ? 0.5 * m.spacing / k : 0, from_tool = double(depth(at)) / k_tool;
-  return {s.tool_heat / area, s.frictional / area,
+  return {s.time, s.tool_heat / area, s.frictional / area,
           (double(T(row)) * from_tool + double(cell(at)) * from_work) / (from_tool + from_work),
           std::abs(s.heat_residual) / std::abs(s.tool_heat)};
 }
 
 const double together = e_work * e_tool / (e_work + e_tool);
 
-// Heat that has crossed in `end`, J/m2.
-double crossed(double h) {
-  if (h == 0) return (hot - cold) * together * 2 * std::sqrt(end / pi);
+// J/m2
+double crossed(double h, double t) {
+  if (h == 0) return (hot - cold) * together * 2 * std::sqrt(t / pi);
   const double b = h / together;
   return h * (hot - cold) *
-         ((std::exp(b * b * end) * std::erfc(b * std::sqrt(end)) - 1) / (b * b) +
-          2 * std::sqrt(end / pi) / b);
+         ((std::exp(b * b * t) * std::erfc(b * std::sqrt(t)) - 1) / (b * b) + 2 * std::sqrt(t / pi) / b);
 }
 
 void meet_at(const std::string& fill, double h) {
   const std::string name = "11 heat into the tool, " + fill + (h > 0 ? ", conductance" : "");
-  std::array<double, 3> size{4 * um, 2 * um, 1 * um}, error{};
+  std::array<double, 3> size{2 * um, 1 * um, 0.5 * um}, error{};
   Outcome o{};
   for (std::size_t r = 0; r < 3; ++r) {
     o = run({fill, size[r], h});
-    error[r] = relative_error(o.heat, crossed(h));
+    error[r] = relative_error(o.heat, crossed(h, o.time));
   }
-  report({name, "heat that has crossed in 10 us", h > 0 ? "h 1e6 W/m2/K, spacing 1 um" : "spacing 1 um",
-          crossed(h), "J/m2", source, o.heat, error[2], 0.02});
-  report({name, "heat stored and lost, less made", "spacing 1 um", 0, "", "conservation", o.residual,
+  report({name, "heat that has crossed in 10 us", h > 0 ? "h 1e6 W/m2/K, spacing 0.5 um" : "spacing 0.5 um",
+          crossed(h, o.time), "J/m2", source, o.heat, error[2], 0.02});
+  report({name, "heat stored and lost, less made", "spacing 0.5 um", 0, "", "conservation", o.residual,
           o.residual, 1e-9, true});
-  report_order(name, "heat that has crossed", "spacing 4, 2, 1 um", size, error, 1, 0.3, "first order");
+  // Near a free surface particles conduct somewhat too well (conduct_heat.cpp), which a conductance hides at
+  // first.
+  const bool early = h > 0 && fill == "particles";
+  report_order(name, "heat that has crossed", "spacing 2, 1, 0.5 um", size, error, 1, 0.3, "first order",
+               early ? "not yet asymptotic: the last halving takes 0.8 of an order" : "");
   if (h > 0) return;
   const double meeting = (e_work * hot + e_tool * cold) / (e_work + e_tool);
-  report({name, "temperature of the interface, above the cold side, over the step", "spacing 1 um",
+  report({name, "temperature of the interface, above the cold side, over the step", "spacing 0.5 um",
           (meeting - cold) / (hot - cold), "", source, (o.interface - cold) / (hot - cold),
           std::abs(o.interface - meeting) / (hot - cold), 0.01});
 }

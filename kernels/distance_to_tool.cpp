@@ -5,10 +5,10 @@
 
 namespace swarf {
 
-View<Real* [4]> tool_distance(const Tool& tool, const VectorField& x) {
-  const View<Real* [4]> result("tool_distance", x.extent(0));
+View<Real* [4]> distance_to_tool(const Tool& tool, const VectorField& x) {
+  const View<Real* [4]> result("distance_to_tool", x.extent(0));
   Kokkos::parallel_for(
-      "tool_distance", UnevenRange(0, int(x.extent(0))), KOKKOS_LAMBDA(const int i) {
+      "distance_to_tool", UnevenRange(0, int(x.extent(0))), KOKKOS_LAMBDA(const int i) {
         const ToolDistance at = signed_distance(tool, load_vector(x, i));
         const Real far = Kokkos::Experimental::infinity_v<Real>;
         const bool near = at.where == ToolDistance::Where::near;
