@@ -95,7 +95,7 @@ void check_meshable(const Deck& deck, const BodyDeck& b, const Triple& n) {
 void check_cell_shape(const Deck& deck, const BodyDeck& body, const Triple& n) {
   Triple edge = extents(body);
   for (std::size_t d = 0; d < 3; ++d) edge[d] /= n[d];
-  const double most = body.fill == "particles" ? 10 : 1000;
+  const double most = body.fill == "particles" ? 100 : 1000;
   const auto [least, largest] = std::minmax_element(edge.begin(), edge.end());
   if (*largest <= most * *least) return;
   reject(

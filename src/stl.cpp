@@ -190,9 +190,10 @@ FacetSurface read_stl(const std::string& file, double metres_per_unit) {
         "again",
         file,
         bytes.size() < header_size ? "it has less than the 84 bytes of a header"
-        : count == 0
-            ? "its header counts no facet"
-            : fmt::format("its {} bytes hold fewer than the facets its header counts", bytes.size())));
+        : count == 0               ? "its header counts no facet"
+        : expected > 100 * bytes.size()
+            ? "what would be its count of facets is none"
+            : fmt::format("{} facets need {} bytes, the file has {}", count, expected, bytes.size())));
   return surface;
 }
 

@@ -115,7 +115,8 @@ def mean_chip(deck, folder, scene, begin, end):
 def measure(deck, folder, scene):
     """One row of the results."""
     summary = json.loads((folder / "summary.json").read_text())
-    row = {"status": summary["ended"], "core_seconds": summary["cost"]["cpu_seconds"],
+    why = summary["why"] if summary["ended"] == "failed" or summary["why"] == "SIGXCPU" else summary["ended"]
+    row = {"status": why, "core_seconds": summary["cost"]["cpu_seconds"],
            "particles": summary["particles"], "hexes": summary["hexes"], "steps": summary["steps"],
            "particle_steps": summary["particles"] * summary["steps"],
            "energy_residual": summary["energies"]["worst_residual_over_external"],

@@ -76,7 +76,8 @@ class Sweep:
 
     def run_program(self, point, deck_file, folder, limit):
         """Exit status; the processor time is limited, not the wall clock, for the machine may be busy."""
-        command = [self.programs[point.build], "run", deck_file, "--output", folder, "--threads", "1", "--no-pictures"]
+        command = [self.programs[point.build], "run", deck_file, "--output", folder, "--overwrite", "--threads", "1",
+                   "--no-pictures"]
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}
 
         def prepare():
@@ -106,9 +107,9 @@ class Sweep:
                "deck": self.hash_of(point), "program": self.digests[point.build]}
         if (folder / "summary.json").exists():
             row.update(measure.measure(deck, folder, point.scene))
-        elif status == -signal.SIGXCPU:
+        if row.get("status") == "SIGXCPU" or status == -signal.SIGXCPU:
             row["status"] = f"needed more than {TIMES_PREDICTED} times the predicted core-seconds"
-        else:
+        elif "status" not in row:
             lines = pathlib.Path(f"{folder}.log").read_text().strip().splitlines()
             row["status"] = (lines[-1] if lines else f"ended with status {status}").replace(str(ROOT) + "/", "")
         if row["status"] == "interrupted":

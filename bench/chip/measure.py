@@ -40,7 +40,7 @@ def run(job):
         RUNS.mkdir(parents=True, exist_ok=True)
         file = RUNS / f"{folder.name}.toml"
         file.write_text(decks.text(deck))
-        subprocess.run([ROOT / "build/release/swarf", "run", file, "-o", folder, "--threads", "1", "--no-pictures"],
+        subprocess.run([ROOT / "build/release/swarf", "run", file, "-o", folder, "--overwrite", "--threads", "1", "--no-pictures"],
                        stdout=subprocess.DEVNULL, check=False)
     return {**measured(deck, folder, spacing), "spacing": spacing, "shifting": shifting}
 

@@ -97,10 +97,10 @@ def run_part(program, name):
 def run_whole(program, name, deck, threads=1):
     folder = RESULTS / name
     if not is_complete(folder):
-        resume = ["--resume"] if (folder / "checkpoint.h5").exists() else []
+        resume = "--resume" if (folder / "checkpoint.h5").exists() else "--overwrite"
         keep_cost(folder)
         subprocess.run([program, "run", deck, "--whole", "--output", folder, "--threads", str(threads), "--no-pictures",
-                        *resume], check=True)
+                        resume], check=True)
 
 
 def keep_cost(folder):

@@ -28,7 +28,9 @@ std::string find_line(const DeckFault& fault, const std::string& text) {
   const auto at =
       fault.at.empty() ? (fault.from.empty() ? 0 : good_deck.find(fault.from)) : text.find(fault.at);
   if (at == std::string::npos) throw std::logic_error("the deck has no \"" + fault.at + "\"");
-  return ":" + std::to_string(1 + std::count(text.begin(), text.begin() + long(at), '\n')) + ": ";
+  std::string place(":");
+  place += std::to_string(1 + std::count(text.begin(), text.begin() + long(at), '\n'));
+  return place += ": ";
 }
 
 std::string read_fault(const std::string& text) {
@@ -72,9 +74,10 @@ const std::vector<DeckFault> faults = {
     fault("empty_deck", "", "", "body", {"has no body"}, no_line),
     // --- units
     fault("missing_unit", "\"2.5 um\"", "2.5", "body.spacing",
-          {"expected a length with a unit such as \"2.5 um\", got 2.5. Write spacing = \"2.5 um\"."}),
+          {"expected a length with a unit such as \"2.5 um\", got 2.5. In SI units, write spacing = \"2.5 "
+           "m\"."}),
     fault("missing_unit_in_text", "\"2.5 um\"", "\"2.5\"", "body.spacing",
-          {"has no unit", "Write \"2.5 um\"."}),
+          {"has no unit", "In SI units, write \"2.5 m\"."}),
     fault("wrong_unit", "\"2.5 um\"", "\"2.5 s\"", "body.spacing", {"expected a length", "which is a time"}),
     fault("unknown_unit", "\"110 GPa\"", "\"110 kpsi\"", "material.ti64.youngs_modulus",
           {"no unit \"kpsi\""}),
@@ -85,7 +88,7 @@ const std::vector<DeckFault> faults = {
     fault("rotation_as_rate", "\"10000 rpm\"", "\"167 Hz\"", "tool.spindle_speed",
           {"expected a speed of rotation such as \"10000 rpm\"", "which is a rate or frequency"}),
     fault("unit_missing_in_array", "\"0 m/s\", \"0 m/s\", \"1 mm/s\"", "0, 0, 1", "body.faces.end.velocity",
-          {"entry 1: expected a velocity with a unit", "Write \"0 m/min\"."}),
+          {"entry 1: expected a velocity with a unit", "In SI units, write \"0 m/s\"."}),
     // --- types and numbers
     fault("text_for_number", "n = 0.34", "n = \"high\"", "material.ti64.n",
           {"expected a number", "got \"high\""}),
@@ -124,8 +127,9 @@ const std::vector<DeckFault> faults = {
     fault("steep_helix", "rake =", "helix = \"80 deg\"\nrake =", "tool.helix",
           {"at most 70 deg, got \"80 deg\""}),
     fault("mass_factor_below_1", "1e4", "0.5", "run.mass_factor", {"at least 1"}),
-    fault("accuracy_without_unit", "mass_factor = 1e4", "accuracy = 3", "run.accuracy",
-          {"expected a percentage with a unit such as \"5 %\", got 3. Write accuracy = \"3 %\"."}),
+    fault(
+        "accuracy_without_unit", "mass_factor = 1e4", "accuracy = 3", "run.accuracy",
+        {"expected a percentage with a unit such as \"5 %\", got 3. In SI units, write accuracy = \"3 %\"."}),
     fault("accuracy_of_zero", "mass_factor = 1e4", "accuracy = \"0 %\"", "run.accuracy", {"more than 0 %"}),
     fault("accuracy_as_length", "mass_factor = 1e4", "accuracy = \"3 um\"", "run.accuracy",
           {"\"um\" is not a unit of this"}),

@@ -77,7 +77,7 @@ TEST(SceneFaults, tied_bodies_end_differently) {
 TEST(SceneFaults, tool_inside_the_workpiece) {
   expect_fault(fault_after({{"diameter =", "position = [\"10 um\", \"0 um\", \"0 um\"]\ndiameter ="},
                             {"start_angle = \"65 deg\"", "start_angle = \"85 deg\""}}),
-               {"faulty.toml:47: tool.position: the tool overlaps body \"", "um at the start, deepest at (",
+               {"faulty.toml:48: tool.position: the tool overlaps body \"", "um at the start, deepest at (",
                 "expected none. Move the tool or the body apart, or choose a start_angle"});
 }
 
