@@ -8,31 +8,40 @@
 namespace swarf {
 namespace {
 
-KOKKOS_INLINE_FUNCTION void add_point(HeatSums& s, const MaterialPoints& p, int i, const Material& mat,
-                                      Real reference) {
-  s.work += heat_capacity(mat, p.mass(i)) * (p.temperature(i) - reference);
-  s.plastic += mat.taylor_quinney * p.plastic_work(i);
+KOKKOS_INLINE_FUNCTION Real above(const MaterialPoints& p, int i, const Material& mat, Real reference) {
+  return heat_capacity(mat, p.mass(i)) * (p.temperature(i) - reference);
+}
+
+KOKKOS_INLINE_FUNCTION Real mean_of_nodes(const HexMesh& m, int e) {
+  Real sum = 0;
+  for (int a = 0; a < 8; ++a) sum += m.nodal_temperature(m.connectivity(e, a));
+  return Real(0.125) * sum;
 }
 
 } // namespace
 
 HeatSums sum_heat(const Particles& p, const MaterialTable& materials, Real reference) {
-  const bool brings = p.heat_to_tool.extent(0) > 0;
+  const bool brings = p.heat_to_tool.extent(0) > 0, nodes_hold = p.heat.extent(0) > 0;
   return block_sum<HeatSums>(
       "sum_heat_of_particles", p.stored, KOKKOS_LAMBDA(int i, HeatSums& s) {
-        add_point(s, p.points, i, materials(p.points.material(i)), reference);
+        const Material& mat = materials(p.points.material(i));
+        if (!nodes_hold || p.identity(i) < p.whole) s.work += above(p.points, i, mat, reference);
+        s.plastic += mat.taylor_quinney * p.points.plastic_work(i);
         if (brings) s.tool += p.heat_to_tool(i);
       });
 }
 
 HeatSums sum_heat(const HexMesh& m, const MaterialTable& materials, Real reference) {
-  const bool brings = m.heat_to_tool.extent(0) > 0;
+  const bool brings = m.heat_to_tool.extent(0) > 0, nodes_hold = m.nodal_temperature.extent(0) > 0;
   HeatSums sums = block_sum<HeatSums>(
       "sum_heat_of_hexes", m.points.count, KOKKOS_LAMBDA(int e, HeatSums& s) {
-        add_point(s, m.points, e, materials(m.points.material(e)), reference);
+        const Material& mat = materials(m.points.material(e));
+        s.work += above(m.points, e, mat, nodes_hold ? mean_of_nodes(m, e) : reference);
+        s.plastic += mat.taylor_quinney * m.points.plastic_work(e);
       });
   sums.add(block_sum<HeatSums>(
       "sum_heat_of_nodes", m.nodes, KOKKOS_LAMBDA(int a, HeatSums& s) {
+        if (nodes_hold) s.work += m.heat_capacity(a) * (m.nodal_temperature(a) - reference);
         s.work += m.contact_heat(a);
         if (brings) s.tool += m.heat_to_tool(a);
       }));
