@@ -66,7 +66,7 @@ bool hits(const Box& a, const Triple& way, const Box& b) {
       if (near > 0 || far < 0) return false;
       continue;
     }
-    const auto [enter, leave] = std::minmax(near / way[c], far / way[c]);
+    const auto [enter, leave] = std::minmax({near / way[c], far / way[c]});
     first = std::max(first, enter), last = std::min(last, leave);
   }
   return first <= last;

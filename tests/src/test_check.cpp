@@ -121,7 +121,7 @@ TEST(Check, a_tool_narrower_than_the_slice) {
 TEST(Check, an_edge_that_leans_in_a_slice_is_refused) {
   expect_words(
       edit(slice, {{"width =", "inclination = \"10 deg\"\nwidth ="}}),
-      {"deck.toml:43: tool.inclination: an edge that leans does not go with the periodic slice \"zone\"",
+      {"deck.toml:36: tool.inclination: an edge that leans does not go with the periodic slice \"zone\"",
        "\"0 deg\""},
       1);
 }
@@ -148,14 +148,22 @@ TEST(Check, bodies_that_do_not_feel_each_other) {
       << "it flies away";
 }
 
+// A wall that stands in a block by a hundredth of a spacing: contact begins at the particles' own surfaces.
 TEST(Check, an_overlap_of_a_hundredth_of_a_spacing) {
-  const std::string close = edit(slice, {{"\"-25 um\", \"0 um\"", "\"-19.9 um\", \"0 um\""}});
-  expect_words(
-      close,
-      {"deck.toml:46: tool.position: the tool overlaps body \"zone\" of line 7 by 0.1 um", "deepest at ("},
-      1);
-  EXPECT_EQ(check(edit(slice, {{"\"-25 um\", \"0 um\"", "\"-20.001 um\", \"0 um\""}})).status, 0)
-      << "a nanometre apart";
+  for (const char* fill : {"particles", "hexes"}) {
+    const auto wall_at = [&](const std::string& z) {
+      const std::string all = blocks(fill, fill, above);
+      return all.substr(0, all.rfind("[[body]]")) +
+             "[tool]\nkind = \"wall\"\nnormal = [0.0, 0.0, -1.0]\nsize = \"200 um\"\n" +
+             "position = [\"20 um\", \"20 um\", \"" + z +
+             "\"]\n[contact]\nfriction = 0.0\n[run]\nend_time = \"0.2 us\"\n";
+    };
+    expect_words(
+        wall_at("19.9 um"),
+        {"deck.toml:18: tool.position: the tool overlaps body \"lower\" of line 7 by 0.1 um", "deepest at ("},
+        1);
+    EXPECT_EQ(check(wall_at("20 um")).status, 0) << "they touch";
+  }
 }
 
 TEST(Check, numbers_without_end_are_answered_at_once) {

@@ -22,7 +22,7 @@ std::vector<std::string> list_datasets(const fs::path& file) {
         if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(to)->push_back(name);
         return 0;
       },
-      &names, H5O_INFO_BASIC);
+      &names);
   H5Fclose(open);
   return names;
 }

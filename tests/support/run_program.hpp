@@ -31,7 +31,7 @@ class Program {
  public:
   // file_limit: bytes that a file may grow to; 0: no limit.
   explicit Program(std::vector<std::string> arguments, rlim_t file_limit = 0) {
-    arguments.insert(arguments.begin(), SWARF_PROGRAM);
+    arguments.insert(arguments.begin(), std::string(SWARF_PROGRAM));
     std::vector<char*> argv;
     for (auto& a : arguments) argv.push_back(a.data());
     argv.push_back(nullptr);
