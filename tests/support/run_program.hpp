@@ -31,8 +31,8 @@ class Program {
  public:
   // file_limit: bytes that a file may grow to; 0: no limit.
   explicit Program(std::vector<std::string> arguments, rlim_t file_limit = 0) {
-    arguments.insert(arguments.begin(), std::string(SWARF_PROGRAM));
-    std::vector<char*> argv;
+    std::string program = SWARF_PROGRAM;
+    std::vector<char*> argv{program.data()};
     for (auto& a : arguments) argv.push_back(a.data());
     argv.push_back(nullptr);
     const std::string log = (folder / "log").string();
