@@ -14,11 +14,11 @@ void bench_hold_faces(benchmark::State& state) {
   const ConstraintTable table("constraints", 1);
   const int groups = p.count / 4;
   const HeldRows rows{groups,
-                IndexField("host", groups),
-                IndexField("start", groups + 1),
-                IndexField("held", groups),
-                IndexField("face", groups),
-                IndexField("row", p.count)};
+                      IndexField("host", groups),
+                      IndexField("start", groups + 1),
+                      IndexField("held", groups),
+                      IndexField("face", groups),
+                      IndexField("row", p.count)};
   Kokkos::parallel_for(
       "bench_rows", Range(0, p.count), KOKKOS_LAMBDA(int i) {
         rows.row(i) = i;

@@ -1,9 +1,9 @@
 // A pair: geometry 22, v_ij 3, V grad W 4, x.v 5, viscosity 38 (x.(D_i + D_j) x alone 24), sum of grad W 3,
 // P_j and q times it 24, power 3: 99. The hourglass stiffness another 29: modulus 2, stretch 10, spring 5,
-// its rate 7, power 2, sums 3. A particle: own stress 18, works 8, scale 3, its part of the coefficients 7. Reals:
-// position 3, velocity 3, volume, inverse_support, pair_stress 9, velocity_gradient 9, impedance 2 in, also
-// of a neighbour (and the shear modulus and hourglass_displacement 3); force 3 (and hourglass_rate 3) out;
-// the two works in and out.
+// its rate 7, power 2, sums 3. A particle: own stress 18, works 8, scale 3, its part of the coefficients 7.
+// Reals: position 3, velocity 3, volume, inverse_support, pair_stress 9, velocity_gradient 9, impedance 2 in,
+// also of a neighbour (and the shear modulus and hourglass_displacement 3); force 3 (and hourglass_rate 3)
+// out; the two works in and out.
 #include "bench/support/particle_cube.hpp"
 
 namespace swarf::bench {

@@ -6,7 +6,7 @@
 // run another row before holds the most of both.
 #include "bench/support/bench.hpp"
 #include "bench/support/watch.hpp"
-#include "src/simulation.hpp"
+#include "src/simulation/simulation.hpp"
 
 namespace swarf::bench {
 namespace {

@@ -3,7 +3,7 @@
 // search its facets. Reals: position 3, area, friction_force 3 in; contact_force 3, friction_force 3,
 // contact_energy out.
 #include "bench/support/particle_cube.hpp"
-#include "src/tool_geometry.hpp"
+#include "src/tool/geometry.hpp"
 #include <filesystem>
 
 namespace swarf::bench {

@@ -1,7 +1,7 @@
 // Sums that do not depend on the number of threads: fixed blocks of rows, each summed in order by one thread,
 // then the blocks in order. Value needs a default constructor that is its zero and `void add(const Value&)`.
 #pragma once
-#include "swarf/types.hpp"
+#include "swarf/core/types.hpp"
 #include <string>
 
 namespace swarf {

@@ -1,7 +1,7 @@
 // Shared by the kernels that order rows in space: the grid from the least corner of a set of points, and
 // sorting.
 #pragma once
-#include "swarf/cell_order.hpp"
+#include "swarf/core/cell_order.hpp"
 #include "swarf/kernels.hpp"
 #include <Kokkos_Sort.hpp>
 

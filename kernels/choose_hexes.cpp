@@ -2,7 +2,7 @@
 // as much as it (conversion.hpp). Reads active, connectivity, position, equivalent_plastic_strain; returns 1
 // for each chosen hex, else 0.
 #include "swarf/kernels.hpp"
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 
 namespace swarf {
 namespace {

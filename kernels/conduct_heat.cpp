@@ -6,8 +6,8 @@
 // (velocity_gradient.cpp), volume, inverse_support, mass. Writes heat (J, rows [0, count + tied)) and the
 // temperature of rows [0, count); heat_state is its own.
 #include "copy_to_images.hpp"
-#include "swarf/heat.hpp"
-#include "swarf/pair.hpp"
+#include "swarf/material/heat.hpp"
+#include "swarf/particles/pair.hpp"
 
 namespace swarf {
 namespace {

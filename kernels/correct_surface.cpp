@@ -15,8 +15,8 @@
 // velocity_gradient, deformation_gradient, K and surface_shift, rows [0, count); surface_term is its own.
 #include "copy_to_images.hpp"
 #include "correction.hpp"
-#include "swarf/pair.hpp"
-#include "swarf/surface.hpp"
+#include "swarf/particles/pair.hpp"
+#include "swarf/particles/surface.hpp"
 
 namespace swarf {
 namespace {

@@ -1,7 +1,7 @@
 // Number of points that lie deeper than `depth` inside the tool: none may, before the run (overlap) or in it
 // (the tool leaks). Integer sum, so in any order. Reads position, area.
 #include "swarf/kernels.hpp"
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 
 namespace swarf {
 

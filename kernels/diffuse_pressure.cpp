@@ -9,7 +9,7 @@
 // pair_stress, volume, inverse_support, impedance; writes stress and density; moves the elastic energy that
 // is lost from internal_work to hourglass_work.
 #include "copy_to_images.hpp"
-#include "swarf/pair.hpp"
+#include "swarf/particles/pair.hpp"
 
 namespace swarf {
 namespace {

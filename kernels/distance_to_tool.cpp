@@ -1,7 +1,7 @@
 // Signed distance of points from the tool's surface and its outward normal, in the tool's frame, for the
 // scene to be built from; beyond the tool's reach the distance is infinite, with its sign.
 #include "swarf/kernels.hpp"
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 
 namespace swarf {
 

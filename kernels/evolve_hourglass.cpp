@@ -6,7 +6,7 @@
 // form that keeps linear and angular momentum. Reads hourglass_rate (of particle_forces) and points; writes
 // hourglass_displacement, rows [0, count + tied); tied particles have none: they follow hexes.
 #include "swarf/kernels.hpp"
-#include "swarf/stress_update.hpp"
+#include "swarf/material/stress_update.hpp"
 
 namespace swarf {
 

@@ -3,7 +3,7 @@
 // nodes; what has retired does not act. with_images: these points and their images across periodic and mirror
 // planes.
 #include "append_points.hpp"
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 
 namespace swarf {
 namespace {

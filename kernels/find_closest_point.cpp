@@ -1,7 +1,7 @@
 // The point that is deepest in contact with the tool, or nearest to it: largest gap - distance, the
 // penetration of tool_contact.cpp. Of equal ones the first, so in any order. Reads position, gap, area.
 #include "swarf/kernels.hpp"
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 
 namespace swarf {
 

@@ -3,7 +3,7 @@
 // sorted, so that cells without rows take no memory; those near the run's box are tested against each member.
 // Two passes, count and fill. No absolute distance anywhere.
 #include "cell_order.hpp"
-#include "swarf/pair.hpp"
+#include "swarf/particles/pair.hpp"
 
 namespace swarf {
 namespace {

@@ -6,8 +6,8 @@
 #include "cell_order.hpp"
 #include "copy_to_images.hpp"
 #include "correction.hpp"
-#include "swarf/pair.hpp"
-#include "swarf/shifting.hpp"
+#include "swarf/particles/pair.hpp"
+#include "swarf/particles/shifting.hpp"
 
 namespace swarf {
 namespace {

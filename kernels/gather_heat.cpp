@@ -2,8 +2,8 @@
 //   H_a = sum over corners + sum_k N_a (Q_k + m_k c (T_k - sum_b N_b T_b)),  T_a += H_a / C_a,
 // then T = mean of the corners in each hex and sum_a N_a T_a for each tied particle. The weights are those of
 // the tie's velocities and forces: heat is conserved to round-off. Sums in a fixed order.
-#include "swarf/heat.hpp"
 #include "swarf/kernels.hpp"
+#include "swarf/material/heat.hpp"
 
 namespace swarf {
 namespace {

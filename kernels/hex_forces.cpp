@@ -1,6 +1,6 @@
-#include "swarf/hex8.hpp"
+#include "swarf/hexes/hex8.hpp"
 #include "swarf/kernels.hpp"
-#include "swarf/stress_update.hpp"
+#include "swarf/material/stress_update.hpp"
 
 namespace swarf {
 

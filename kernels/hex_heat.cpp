@@ -1,5 +1,5 @@
-#include "swarf/heat.hpp"
 #include "swarf/kernels.hpp"
+#include "swarf/material/heat.hpp"
 
 namespace swarf {
 

@@ -1,6 +1,6 @@
-#include "swarf/hex8.hpp"
+#include "swarf/hexes/hex8.hpp"
 #include "swarf/kernels.hpp"
-#include "swarf/pair.hpp"
+#include "swarf/particles/pair.hpp"
 
 namespace swarf {
 namespace {

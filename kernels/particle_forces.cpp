@@ -10,7 +10,7 @@
 // slope, so that it takes energy however the body has turned. Reads what prepare_pair_state wrote. Writes
 // force, rows [0, count + tied); adds viscous_work.
 #include "swarf/kernels.hpp"
-#include "swarf/pair.hpp"
+#include "swarf/particles/pair.hpp"
 
 namespace swarf {
 namespace {

@@ -3,7 +3,7 @@
 // each velocity_gradient. Reads points. Writes rows [0, count + tied); V = m / rho, or m / rho_0 in the
 // initial frame, where K is J F^-T K_0 and P the first Piola-Kirchhoff stress.
 #include "swarf/kernels.hpp"
-#include "swarf/stress_update.hpp"
+#include "swarf/material/stress_update.hpp"
 
 namespace swarf {
 

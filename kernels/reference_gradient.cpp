@@ -9,8 +9,8 @@
 // rows [0, count + tied), and marks. Where J
 // <= 0 the density becomes negative: update_stress reports it.
 #include "correction.hpp"
-#include "swarf/pair.hpp"
-#include "swarf/surface.hpp"
+#include "swarf/particles/pair.hpp"
+#include "swarf/particles/surface.hpp"
 
 namespace swarf {
 namespace {

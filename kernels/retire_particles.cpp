@@ -3,7 +3,7 @@
 // writes constraints, and the position of the retired.
 #include "append_points.hpp"
 #include "point_grid.hpp"
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 
 namespace swarf {
 namespace {

@@ -4,8 +4,8 @@
 // The lumped C_a is the eighths of the hexes' capacities and N_a of the tied particles': heat is kept to
 // round-off, and hexes that do not conduct are heated without a diffusion of their own. Reads heat_capacity;
 // reads and zeroes contact_heat; writes nodal_heat; adds to the temperatures.
-#include "swarf/heat.hpp"
 #include "swarf/kernels.hpp"
+#include "swarf/material/heat.hpp"
 
 namespace swarf {
 

@@ -2,9 +2,9 @@
 // hex, c' = c / sqrt(mass factor) the wave speed of the scaled mass; less where viscosity or stiffness
 // against hourglass modes ask it. Minima are exact in any order of threads.
 #include "cell_order.hpp"
-#include "swarf/heat.hpp"
-#include "swarf/hex8.hpp"
+#include "swarf/hexes/hex8.hpp"
 #include "swarf/kernels.hpp"
+#include "swarf/material/heat.hpp"
 
 namespace swarf {
 

@@ -2,7 +2,7 @@
 // relative to the sum on the undeformed lattice, so that a free surface keeps its density.
 // m_j is V_j rho_j, which the images carry. Where reference_summation is 0 the sum becomes the reference.
 #include "swarf/kernels.hpp"
-#include "swarf/pair.hpp"
+#include "swarf/particles/pair.hpp"
 
 namespace swarf {
 namespace {

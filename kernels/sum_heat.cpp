@@ -2,8 +2,8 @@
 // sample. Reads temperature, mass, plastic_work, and what the contact has brought and no temperature shows
 // yet.
 #include "block_sum.hpp"
-#include "swarf/heat.hpp"
 #include "swarf/kernels.hpp"
+#include "swarf/material/heat.hpp"
 
 namespace swarf {
 namespace {

@@ -7,8 +7,8 @@
 // position or build_position, deformation_gradient, volume, inverse_support, stress, surface_shift; writes t
 // to surface_term, rows [0, count + tied).
 #include "copy_to_images.hpp"
-#include "swarf/pair.hpp"
-#include "swarf/surface.hpp"
+#include "swarf/particles/pair.hpp"
+#include "swarf/particles/surface.hpp"
 
 namespace swarf {
 namespace {

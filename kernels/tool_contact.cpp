@@ -5,10 +5,10 @@
 // the tool conducts it divides by itself (heat_into_tool). Reads position, velocity (half a step back), mass,
 // gap, area, material; writes contact_force, friction_force, contact_energy, tool_cell; adds to force,
 // friction_work, temperature or heat, heat_to_tool.
-#include "swarf/heat.hpp"
-#include "swarf/johnson_cook.hpp"
 #include "swarf/kernels.hpp"
-#include "swarf/signed_distance.hpp"
+#include "swarf/material/heat.hpp"
+#include "swarf/material/johnson_cook.hpp"
+#include "swarf/tool/signed_distance.hpp"
 
 namespace swarf {
 namespace {

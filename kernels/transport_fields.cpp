@@ -9,8 +9,8 @@
 // surface_normal, shifted_strain, the transported fields, internal_work and shifting_work.
 #include "block_sum.hpp"
 #include "swarf/kernels.hpp"
-#include "swarf/pair.hpp"
-#include "swarf/shifting.hpp"
+#include "swarf/particles/pair.hpp"
+#include "swarf/particles/shifting.hpp"
 
 namespace swarf {
 namespace {

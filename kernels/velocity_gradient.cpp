@@ -4,8 +4,8 @@
 // heat_shape, how far neighbours lack to surface_shift (tied particles have no surface), rows [0, count +
 // tied), and the lists' marks.
 #include "correction.hpp"
-#include "swarf/pair.hpp"
-#include "swarf/surface.hpp"
+#include "swarf/particles/pair.hpp"
+#include "swarf/particles/surface.hpp"
 
 namespace swarf {
 namespace {

@@ -1,4 +1,4 @@
-#include "swarf/cell_order.hpp"
+#include "swarf/core/cell_order.hpp"
 #include <gtest/gtest.h>
 #include <vector>
 

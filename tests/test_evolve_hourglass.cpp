@@ -1,5 +1,5 @@
 // The displacement that velocity gradients do not explain, and the force that resists it.
-#include "swarf/smoothing_kernel.hpp"
+#include "swarf/particles/smoothing_kernel.hpp"
 #include "tests/support/particle_block.hpp"
 #include <gtest/gtest.h>
 

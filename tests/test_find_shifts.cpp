@@ -2,7 +2,7 @@
 // the surface stays; a rigid motion of the block, an image in place of a particle or another number of
 // threads changes nothing; no particle goes farther than it has flowed.
 #include "support/shifting_block.hpp"
-#include "swarf/shifting.hpp"
+#include "swarf/particles/shifting.hpp"
 #include <algorithm>
 #include <array>
 #include <cstdio>

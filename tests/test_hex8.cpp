@@ -1,4 +1,4 @@
-#include "swarf/hex8.hpp"
+#include "swarf/hexes/hex8.hpp"
 
 #include "support/hex_block.hpp"
 #include "support/materials.hpp"

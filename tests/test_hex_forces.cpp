@@ -1,5 +1,5 @@
 #include "swarf/kernels.hpp"
-#include "swarf/stress_update.hpp"
+#include "swarf/material/stress_update.hpp"
 
 #include "support/hex_step.hpp"
 #include "support/materials.hpp"

@@ -2,7 +2,7 @@
 // alpha (pi / L)^2 (Carslaw & Jaeger 1959, ch. 3).
 #include "support/hex_step.hpp"
 #include "support/materials.hpp"
-#include "swarf/heat.hpp"
+#include "swarf/material/heat.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

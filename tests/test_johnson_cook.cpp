@@ -1,4 +1,4 @@
-#include "swarf/johnson_cook.hpp"
+#include "swarf/material/johnson_cook.hpp"
 
 #include "support/materials.hpp"
 

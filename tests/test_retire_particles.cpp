@@ -3,7 +3,7 @@
 #include "support/box_tool.hpp"
 #include "support/materials.hpp"
 #include "support/particle_block.hpp"
-#include "swarf/retire.hpp"
+#include "swarf/region/retire.hpp"
 #include <gtest/gtest.h>
 
 namespace swarf {

@@ -1,7 +1,7 @@
 // Shifts of one particle from given sums. Theory: Fick's law for the concentration (Lind et al. 2012), cut
 // off by the budget; at a surface nothing goes out, and under a tool nothing goes in or out.
 #include "support/materials.hpp"
-#include "swarf/shifting.hpp"
+#include "swarf/particles/shifting.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>

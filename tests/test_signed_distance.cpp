@@ -1,4 +1,4 @@
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 
 #include "support/box_tool.hpp"
 #include "support/materials.hpp"

@@ -1,4 +1,4 @@
-#include "swarf/smoothing_kernel.hpp"
+#include "swarf/particles/smoothing_kernel.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

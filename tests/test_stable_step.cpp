@@ -2,7 +2,7 @@
 #include "support/hex_block.hpp"
 #include "support/materials.hpp"
 #include "support/particle_block.hpp"
-#include "swarf/hex8.hpp"
+#include "swarf/hexes/hex8.hpp"
 #include <gtest/gtest.h>
 
 namespace swarf::test {

@@ -1,4 +1,4 @@
-#include "swarf/stress_update.hpp"
+#include "swarf/material/stress_update.hpp"
 
 #include "support/materials.hpp"
 

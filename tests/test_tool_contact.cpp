@@ -1,8 +1,8 @@
 #include "support/box_tool.hpp"
 #include "support/materials.hpp"
 #include "support/points.hpp"
-#include "swarf/johnson_cook.hpp"
 #include "swarf/kernels.hpp"
+#include "swarf/material/johnson_cook.hpp"
 
 #include <gtest/gtest.h>
 

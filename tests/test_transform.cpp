@@ -1,4 +1,4 @@
-#include "swarf/transform.hpp"
+#include "swarf/core/transform.hpp"
 #include <gtest/gtest.h>
 
 namespace swarf {

@@ -1,5 +1,5 @@
 #include "support/particle_block.hpp"
-#include "swarf/pair.hpp"
+#include "swarf/particles/pair.hpp"
 #include <gtest/gtest.h>
 #include <random>
 

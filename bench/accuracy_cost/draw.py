@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws accuracy against cost from results.csv: a picture of each scene, PNG and SVG,
-docs/accuracy_cost.md, and src/accuracy_chart.toml for the key run.accuracy."""
+docs/accuracy_cost.md, and src/accuracy/chart.toml for the key run.accuracy."""
 import pathlib
 import sys
 
@@ -169,7 +169,7 @@ def main():
         drawn[scene.name] = ({row["label"] for row in runs}, ours, found)
     if drawn:
         (DOCS / "accuracy_cost.md").write_text(page.text(drawn, rows))
-        (ROOT / "src/accuracy_chart.toml").write_text(transfer.text(drawn, SCENES, ROOT))
+        (ROOT / "src/accuracy/chart.toml").write_text(transfer.text(drawn, SCENES, ROOT))
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ thickness and at a third of a spacing more and less, so that the edge meets the 
   together are within 5 %. Points whose energy residual exceeds {energy:.0f} % of the external work are drawn hollow and
   are neither advised nor on the front, which is of error and standard error together as well. For both, the error
   of a point with three thicknesses is that of their mean: where one run meets the rows is luck.
-- `accuracy = "10 %"` in `[run]` of a deck reads this chart (`src/accuracy_chart.toml`, written with this page).
+- `accuracy = "10 %"` in `[run]` of a deck reads this chart (`src/accuracy/chart.toml`, written with this page).
 """
 
 

@@ -1,4 +1,4 @@
-"""src/accuracy_chart.toml: the points of the chart in terms that carry over to another deck, for the key run.accuracy.
+"""src/accuracy/chart.toml: the points of the chart in terms that carry over to another deck, for the key run.accuracy.
 
 Lengths are counted in uncut chip thicknesses h or in spacings, inertia as wave speed of the scaled mass over cutting
 speed. A point whose changes cannot be said so (a shorter work, another build, hexes only) is left out: nothing is

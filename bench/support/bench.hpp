@@ -1,6 +1,6 @@
 // What every benchmark shares: sizes, and what one item costs.
 #pragma once
-#include "swarf/pack.hpp"
+#include "swarf/core/pack.hpp"
 #include <benchmark/benchmark.h>
 #include <cstdlib>
 #include <memory>

@@ -1,6 +1,6 @@
 // Repeatable numbers in [-1, 1), by row and channel, the same on every number of threads.
 #pragma once
-#include "swarf/types.hpp"
+#include "swarf/core/types.hpp"
 
 namespace swarf::bench {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "bench/support/bench.hpp"
 #include "bench/support/noise.hpp"
-#include "swarf/pair.hpp"
+#include "swarf/particles/pair.hpp"
 #include "tests/support/materials.hpp"
 #include "tests/support/particle_block.hpp"
 #include "tests/support/status.hpp"

@@ -1,17 +1,17 @@
 // Every launch of swarf, one line each: the table of contents of kernels/. The file, the function, the label
 // of the launch, the test and the benchmark share one name.
 #pragma once
-#include "swarf/cell_order.hpp"
-#include "swarf/contact_points.hpp"
-#include "swarf/conversion.hpp"
-#include "swarf/held_rows.hpp"
-#include "swarf/hex_mesh.hpp"
-#include "swarf/neighbors.hpp"
-#include "swarf/particles.hpp"
-#include "swarf/retire.hpp"
-#include "swarf/status.hpp"
-#include "swarf/tie.hpp"
-#include "swarf/tool_load.hpp"
+#include "swarf/core/cell_order.hpp"
+#include "swarf/core/status.hpp"
+#include "swarf/hexes/conversion.hpp"
+#include "swarf/hexes/hex_mesh.hpp"
+#include "swarf/hexes/tie.hpp"
+#include "swarf/particles/held_rows.hpp"
+#include "swarf/particles/neighbors.hpp"
+#include "swarf/particles/particles.hpp"
+#include "swarf/region/retire.hpp"
+#include "swarf/tool/contact_points.hpp"
+#include "swarf/tool/tool_load.hpp"
 #include <vector>
 
 namespace swarf {

@@ -1,6 +1,6 @@
 // A deck without a fault, which tests of faults edit, and its way to read_deck.
 #pragma once
-#include "src/deck.hpp"
+#include "src/deck/deck.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include <stdexcept>
 #include <string>

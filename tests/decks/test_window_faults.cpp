@@ -1,5 +1,5 @@
 // Decks and windows that do not go together: refused with the file, the line, the key and what to do.
-#include "src/windows.hpp"
+#include "src/windows/windows.hpp"
 #include "tests/decks/good_deck.hpp"
 #include <gmock/gmock.h>
 

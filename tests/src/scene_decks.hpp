@@ -1,6 +1,6 @@
 // Decks made in memory for the tests of the scene.
 #pragma once
-#include "src/scene.hpp"
+#include "src/scene/scene.hpp"
 #include <numbers>
 
 namespace swarf::test {

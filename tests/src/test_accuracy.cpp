@@ -1,8 +1,8 @@
 // run.accuracy: the choice from a chart, its settings in a deck, and the refusal of what the chart cannot
 // give.
-#include "src/accuracy.hpp"
-#include "src/shape.hpp"
-#include "src/windows.hpp"
+#include "src/accuracy/accuracy.hpp"
+#include "src/geometry/shape.hpp"
+#include "src/windows/windows.hpp"
 #include "tests/src/scene_decks.hpp"
 #include "tests/support/run_program.hpp"
 #include <fmt/format.h>

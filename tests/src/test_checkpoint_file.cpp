@@ -1,4 +1,4 @@
-#include "src/write_hdf5.hpp"
+#include "src/output/write_hdf5.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // Checkpoints that chance has spoilt, with checksums that are right: refused by a message or taken, never
 // more.
-#include "src/simulation.hpp"
-#include "src/write_hdf5.hpp"
+#include "src/output/write_hdf5.hpp"
+#include "src/simulation/simulation.hpp"
 #include "tests/support/chance.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"

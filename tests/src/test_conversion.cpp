@@ -1,7 +1,7 @@
 // Hexes that become particles: what is carried over, and that the scene after it is one that can move.
 #include "scene_decks.hpp"
-#include "src/convert_hexes.hpp"
-#include "src/hex_conversion.hpp"
+#include "src/scene/convert_hexes.hpp"
+#include "src/scene/hex_conversion.hpp"
 #include "swarf/kernels.hpp"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Whole runs in which hexes become particles: a body under stress that rests, a wave, and a cut against the
 // one with a band of particles.
-#include "src/hex_conversion.hpp"
-#include "src/simulation.hpp"
+#include "src/scene/hex_conversion.hpp"
+#include "src/simulation/simulation.hpp"
 #include "tests/verification/drive.hpp"
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The deck reader: values, defaults, the resolved deck, the reference page, the shipped decks.
-#include "src/deck.hpp"
-#include "src/deck_keys.hpp"
+#include "src/deck/deck.hpp"
+#include "src/deck/keys.hpp"
 #include "tests/decks/good_deck.hpp"
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,5 +1,5 @@
-#include "src/history.hpp"
-#include "src/results.hpp"
+#include "src/files/results.hpp"
+#include "src/output/history.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

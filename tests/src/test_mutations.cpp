@@ -1,10 +1,10 @@
 // Inputs that chance has spoilt, the same ones in every run: each is refused by a message or taken, never
 // more. After Miller, Fredriksen & So, An empirical study of the reliability of UNIX utilities, CACM 33
 // (1990) 32.
-#include "src/results.hpp"
-#include "src/scene.hpp"
-#include "src/shape.hpp"
-#include "src/tool_geometry.hpp"
+#include "src/files/results.hpp"
+#include "src/geometry/shape.hpp"
+#include "src/scene/scene.hpp"
+#include "src/tool/geometry.hpp"
 #include "tests/support/chance.hpp"
 #include "tests/support/small_deck.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,6 +1,6 @@
-#include "src/display.hpp"
-#include "src/history.hpp"
-#include "src/plot.hpp"
+#include "src/output/history.hpp"
+#include "src/pictures/display.hpp"
+#include "src/pictures/plot.hpp"
 #include "support/pixels.hpp"
 #include "support/temporary_folder.hpp"
 

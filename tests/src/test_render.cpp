@@ -1,5 +1,5 @@
-#include "src/display.hpp"
-#include "src/render.hpp"
+#include "src/pictures/display.hpp"
+#include "src/pictures/render.hpp"
 #include "support/pixels.hpp"
 
 #include <gmock/gmock.h>

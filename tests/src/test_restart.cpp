@@ -1,7 +1,7 @@
 // A run that is killed, interrupted or spread over threads ends in the same bytes as one that is not.
-#include "src/history.hpp"
-#include "src/results.hpp"
-#include "src/write_hdf5.hpp"
+#include "src/files/results.hpp"
+#include "src/output/history.hpp"
+#include "src/output/write_hdf5.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
 #include <algorithm>

@@ -1,10 +1,10 @@
 // What is the user's stays: one run at a time in a folder, no input and no foreign file written over, nothing
 // lost by signals, and folders that may be moved.
-#include "src/folder_lock.hpp"
-#include "src/history.hpp"
-#include "src/results.hpp"
-#include "src/write_hdf5.hpp"
-#include "src/write_vtk.hpp"
+#include "src/files/folder_lock.hpp"
+#include "src/files/results.hpp"
+#include "src/output/history.hpp"
+#include "src/output/write_hdf5.hpp"
+#include "src/output/write_vtk.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
 #include <gmock/gmock.h>

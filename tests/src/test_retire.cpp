@@ -1,7 +1,7 @@
 // Chip that retires in a whole run: the force of the rest, what it takes along, and what is said of one that
 // comes back. The chip is a loose piece in front of the tooth of the small deck, 2.5 um a particle.
-#include "src/history.hpp"
-#include "src/results.hpp"
+#include "src/files/results.hpp"
+#include "src/output/history.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
 #include <cmath>

@@ -1,8 +1,8 @@
 // The program told or made to fail: exit status, message, and what it leaves behind.
-#include "src/history.hpp"
-#include "src/results.hpp"
-#include "src/write_hdf5.hpp"
-#include "src/write_vtk.hpp"
+#include "src/files/results.hpp"
+#include "src/output/history.hpp"
+#include "src/output/write_hdf5.hpp"
+#include "src/output/write_vtk.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
 #include "tests/verification/drive.hpp"

@@ -1,5 +1,5 @@
 // Windows as the program runs them: side by side, kept, continued, and named where they fail.
-#include "src/history.hpp"
+#include "src/output/history.hpp"
 #include "support/run_program.hpp"
 #include "support/small_deck.hpp"
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // The scene: counts, masses and places against the closed forms of the shapes.
 #include "scene_decks.hpp"
-#include "src/lattice.hpp"
+#include "src/geometry/lattice.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Sleep in a whole run: what it leaves unchanged, what comes back of a wave, and that energy closes.
-#include "src/history.hpp"
-#include "src/results.hpp"
-#include "src/write_hdf5.hpp"
+#include "src/files/results.hpp"
+#include "src/output/history.hpp"
+#include "src/output/write_hdf5.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
 #include "tests/verification/drive.hpp"

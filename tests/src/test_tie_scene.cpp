@@ -1,7 +1,7 @@
 // The tie as the scene builds it, with the kernels of the step: where tied particles lie, and what a constant
 // stress, a constant and a linear velocity do at the interface.
 #include "scene_decks.hpp"
-#include "src/isoparametric.hpp"
+#include "src/geometry/isoparametric.hpp"
 #include "swarf/kernels.hpp"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The tool's cells of heat: their volume, and conduction between them where the surface cuts them.
-#include "src/tool_cells.hpp"
+#include "src/tool/cells.hpp"
 #include "swarf/kernels.hpp"
 #include "tests/src/scene_decks.hpp"
 #include <cmath>

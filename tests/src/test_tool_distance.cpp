@@ -1,6 +1,6 @@
 // The grid's distance against all facets; and no point passes through a tool.
 #include "swarf/kernels.hpp"
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 #include "tool_shapes.hpp"
 
 #include "support/box_tool.hpp"

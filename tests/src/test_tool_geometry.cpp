@@ -1,5 +1,5 @@
 // Generated tools: their measures and motion.
-#include "swarf/signed_distance.hpp"
+#include "swarf/tool/signed_distance.hpp"
 #include "tool_shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Faults of surfaces and STL files, each with the facet named; and files that come back as they went.
-#include "src/results.hpp"
+#include "src/files/results.hpp"
 #include "tool_shapes.hpp"
 
 #include "support/temporary_folder.hpp"

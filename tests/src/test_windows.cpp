@@ -1,9 +1,9 @@
 // Windows of a pass: their geometry is that of the whole pass, their forces are joined with honest errors,
 // and the program runs, keeps, continues and names them.
-#include "src/join_windows.hpp"
-#include "src/shape.hpp"
-#include "src/tool_geometry.hpp"
-#include "src/windows.hpp"
+#include "src/geometry/shape.hpp"
+#include "src/tool/geometry.hpp"
+#include "src/windows/join_windows.hpp"
+#include "src/windows/windows.hpp"
 #include "tests/src/scene_decks.hpp"
 #include <gtest/gtest.h>
 #include <random>

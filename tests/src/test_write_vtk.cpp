@@ -1,4 +1,4 @@
-#include "src/write_vtk.hpp"
+#include "src/output/write_vtk.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // Decks of tools, and the exact distance from a surface, in another way than the code's: winding number and
 // projections, over all facets, in long double.
 #pragma once
-#include "src/tool_geometry.hpp"
+#include "src/tool/geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // One cell of the stability matrix: a formulation put to one test that breaks formulations.
 #pragma once
-#include "src/deck.hpp"
+#include "src/deck/deck.hpp"
 #include <functional>
 #include <string>
 #include <utility>

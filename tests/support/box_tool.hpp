@@ -1,7 +1,7 @@
 // A box as a tool, without a generator: 12 facets, all in one cell of the grid. And points for it to touch.
 #pragma once
-#include "swarf/contact_points.hpp"
-#include "swarf/tool.hpp"
+#include "swarf/tool/contact_points.hpp"
+#include "swarf/tool/tool.hpp"
 
 #include <array>
 #include <cmath>

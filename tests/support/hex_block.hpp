@@ -1,6 +1,6 @@
 // A block of hexes for tests: nx x ny x nz cells, each node moved by a map.
 #pragma once
-#include "swarf/hex8.hpp"
+#include "swarf/hexes/hex8.hpp"
 
 #include "support/points.hpp"
 

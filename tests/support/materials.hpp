@@ -1,6 +1,6 @@
 // Materials that the tests of the material update share.
 #pragma once
-#include "swarf/material.hpp"
+#include "swarf/material/material.hpp"
 
 namespace swarf::test {
 

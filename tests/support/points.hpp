@@ -1,6 +1,6 @@
 // Material points at rest, for tests.
 #pragma once
-#include "swarf/material.hpp"
+#include "swarf/material/material.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // The fault word of kernels, for tests.
 #pragma once
-#include "swarf/status.hpp"
+#include "swarf/core/status.hpp"
 
 namespace swarf::test {
 

@@ -1,7 +1,7 @@
 // Cells of heat in a row along x, as a tool that is a bar would have: the tree finds each, one layer of
 // squares.
 #pragma once
-#include "swarf/tool_heat.hpp"
+#include "swarf/tool/tool_heat.hpp"
 #include <limits>
 
 namespace swarf::test {

@@ -1,6 +1,6 @@
 // Runs a deck made in memory, and looks at its particles or nodes in an order that sorting does not change.
 #pragma once
-#include "src/simulation.hpp"
+#include "src/simulation/simulation.hpp"
 #include "tests/src/scene_decks.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include <fstream>
@@ -36,9 +36,7 @@ end_time = "1 s"
 struct Stabiliser {
   double stiffness = 0;
 
-  void apply(Deck& deck) const {
-    deck.particles.hourglass_stiffness = stiffness;
-  }
+  void apply(Deck& deck) const { deck.particles.hourglass_stiffness = stiffness; }
   std::string text() const {
     char text[64];
     std::snprintf(text, sizeof text, ", hourglass stiffness %g", stiffness);

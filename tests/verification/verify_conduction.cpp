@@ -1,7 +1,7 @@
 // 9. Conduction in particles, in hexes and from one to the other. References: Carslaw & Jaeger, Conduction of
 // Heat in Solids (1959), ch. 2: a half space whose surface is held, and one with a constant flux through it.
 // The held surface is the middle plane of two halves at opposite temperatures.
-#include "src/simulation.hpp"
+#include "src/simulation/simulation.hpp"
 #include "tests/src/scene_decks.hpp"
 #include "tests/verification/case.hpp"
 #include <cmath>

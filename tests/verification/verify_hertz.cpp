@@ -2,7 +2,7 @@
 // base. The reference is Hertz with the layer's finite thickness: Dimitriadis, Horkay, Maresca, Kachar &
 // Chadwick (2002), Biophys. J. 82, 2798: F = 4/3 E/(1-nu^2) sqrt(R) d^(3/2) times a series in chi = sqrt(R d)
 // / thickness.
-#include "src/tool_geometry.hpp"
+#include "src/tool/geometry.hpp"
 #include "tests/verification/case.hpp"
 #include "tests/verification/point_masses.hpp"
 #include <unistd.h>

@@ -1,8 +1,8 @@
 // Johnson-Cook plasticity with adiabatic heat: at a point, in one hex, in a block of particles, against the
 // ordinary differential equation
 //   sigma = (A + B eps^n)(1 + C ln rate)(1 - T*^m),  dT/d eps = beta sigma / (rho c).
-#include "src/simulation.hpp"
-#include "swarf/stress_update.hpp"
+#include "src/simulation/simulation.hpp"
+#include "swarf/material/stress_update.hpp"
 #include "tests/src/scene_decks.hpp"
 #include "tests/support/materials.hpp"
 #include "tests/support/particle_block.hpp"

@@ -2,7 +2,7 @@
 // spacing. In the continuum nothing is reflected: both sides have the same impedance. No viscosity, no other
 // damping. What is reflected is the difference to a bar of particles only, so that the dispersion of the
 // particles does not count.
-#include "src/simulation.hpp"
+#include "src/simulation/simulation.hpp"
 #include "tests/src/scene_decks.hpp"
 #include "tests/verification/case.hpp"
 #include <algorithm>

@@ -3,8 +3,8 @@
 // ch. 2 and 12: surfaces of effusivities e meet at (e1 T1 + e2 T2) / (e1 + e2); through a conductance h the
 // flow is h (T1 - T2) exp(b^2 t) erfc(b sqrt t), b = h (1/e1 + 1/e2); heat made at the interface divides as
 // the effusivities.
-#include "src/simulation.hpp"
-#include "src/tool_geometry.hpp"
+#include "src/simulation/simulation.hpp"
+#include "src/tool/geometry.hpp"
 #include "tests/src/scene_decks.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/verification/case.hpp"

@@ -1,0 +1,142 @@
+// The program: swarf run | check | keys | plot | render.
+#include "src/app/check.hpp"
+#include "src/app/child_process.hpp"
+#include "src/app/run.hpp"
+#include "src/app/run_windows.hpp"
+#include "src/app/signals.hpp"
+#include "src/files/folder_lock.hpp"
+#include "src/files/results.hpp"
+#include "src/files/say.hpp"
+#include "src/pictures/pictures.hpp"
+#include "src/pictures/render.hpp"
+#include "src/simulation/simulation.hpp"
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <thread>
+#include <unistd.h>
+#ifdef KOKKOS_ENABLE_OPENMP
+#include <omp.h>
+#endif
+
+namespace {
+
+// A stream that was closed at the start would become the first file that is opened, and progress go into it.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY) < 0)
+      std::_Exit(1);
+}
+
+// How long a waiting thread of GNU's OpenMP spins before it sleeps is read before main: the program starts
+// itself again with less than the usual 300 000 turns, in which a busy machine does nothing else for
+// milliseconds.
+void shorten_spinning(char** argv) {
+  if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY")) return;
+  setenv("GOMP_SPINCOUNT", "1000", 1);
+  execv("/proc/self/exe", argv); // where there is none the usual count stays
+}
+
+// Threads that wait for each other must share no core, and more cannot compute: results do not depend on
+// them.
+int usable_threads(int asked) {
+#ifdef KOKKOS_ENABLE_OPENMP
+  const int cores = omp_get_num_procs(); // of this process, also where its first thread is bound to one
+#else
+  const int cores = std::max(1, int(std::thread::hardware_concurrency()));
+#endif
+  if (asked > cores)
+    swarf::complain("warning: {} threads are asked for, {} cores are there: taking {}.", asked, cores, cores);
+  return std::min(asked, cores);
+}
+
+// Kokkos starts after the deck is known to be sound, with the threads that the user or the deck asks for.
+template <class Work>
+int with_kokkos(int threads, const Work& work) {
+  Kokkos::InitializationSettings settings;
+  settings.set_disable_warnings(true);
+  if (threads > 0) settings.set_num_threads(usable_threads(threads));
+  const Kokkos::ScopeGuard guard(settings);
+  return work();
+}
+
+int run(const swarf::RunOptions& options, const swarf::WindowsOptions& how) {
+  const swarf::Deck deck = swarf::deck_to_run(options);
+  if (deck.windows) return swarf::run_windows(deck, options, how);
+  if (how.jobs > 1)
+    throw swarf::DeckError("--jobs counts windows side by side: give --windows too, or --threads instead.");
+  return with_kokkos(how.threads > 0 ? how.threads : deck.run.threads,
+                     [&] { return swarf::run_deck(deck, options); });
+}
+
+// So that a mistyped name makes no folder.
+const std::string& existing(const std::string& folder) {
+  if (!std::filesystem::is_directory(folder)) swarf::open_results(folder); // says what is wrong
+  return folder;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  open_standard_streams();
+  shorten_spinning(argv);
+  CLI::App app("swarf: micro end milling by particles and hexes");
+  app.set_version_flag("--version", SWARF_VERSION);
+  app.require_subcommand(1);
+  swarf::RunOptions options;
+  int threads = 0;
+  bool no_pictures = false;
+  swarf::WindowsOptions windows;
+  std::string windows_text;
+
+  CLI::App* run = app.add_subcommand("run", "run a deck");
+  run->add_option("deck", options.deck, "the deck, a TOML file")->required();
+  run->add_option("-o,--output", options.output, "results folder (default results/NAME of the deck)");
+  run->add_option("-t,--threads", threads, "threads (default: the deck's, else all cores)")
+      ->check(CLI::PositiveNumber);
+  run->add_option("--stop-after", options.stop_after, "stop after so many steps")->check(CLI::PositiveNumber);
+  CLI::Option* resume = run->add_flag("--resume", options.resume, "continue from the folder's checkpoint");
+  run->add_flag("--overwrite", options.overwrite, "replace the results that the folder holds")
+      ->excludes(resume);
+  run->add_flag("--no-pictures", no_pictures, "draw nothing at the end");
+  CLI::Option* spread =
+      run->add_option("--windows", windows_text,
+                      "run short windows of immersion first:last:step, deg, instead of the whole pass");
+  run->add_option("--jobs", windows.jobs, "windows side by side, of one thread each if there are several")
+      ->check(CLI::Range(1, swarf::ChildProcesses::most));
+  run->add_flag("--whole", options.whole, "run the whole pass, though the deck has [windows]")
+      ->excludes(spread);
+
+  CLI::App* check = app.add_subcommand("check", "build the scene, say what it costs and whether it is fit");
+  check->add_option("deck", options.deck, "the deck")->required();
+  check->add_option("-t,--threads", threads, "threads")->check(CLI::PositiveNumber);
+
+  CLI::App* keys = app.add_subcommand("keys", "print the reference of all deck keys");
+
+  std::string folder;
+  CLI::App* plot = app.add_subcommand("plot", "draw force and energy plots of a results folder again");
+  plot->add_option("results", folder, "results folder")->required();
+  CLI::App* render = app.add_subcommand("render", "draw the chip pictures of a results folder again");
+  render->add_option("results", folder, "results folder")->required();
+
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (*keys) return fmt::print("{}", swarf::key_reference()), 0;
+    if (*plot || *render) {
+      const swarf::FolderLock lock(existing(folder));
+      if (*plot) return swarf::draw_plots(folder), 0;
+      return swarf::render_strip(folder) ? 0 : 1;
+    }
+    if (*run) swarf::survive_failed_writes();
+    if (spread->count() > 0) options.windows = windows_text;
+    options.pictures = !no_pictures, windows.threads = threads;
+    if (*run) return ::run(options, windows);
+    const int asked = threads > 0 ? threads : swarf::read_deck(options.deck).run.threads;
+    return with_kokkos(asked, [&] { return swarf::check_deck(options.deck), 0; });
+  } catch (const std::exception& error) {
+    swarf::complain("{}", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,51 @@
+#include "src/check/cost.hpp"
+#include "src/deck/lines.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace swarf {
+namespace {
+
+constexpr double most_steps = 1e10;     // at 1 ms a step four months, and few scenes take so little
+constexpr double most_heat_steps = 1e3; // in a step: all time would go there
+
+const MaterialDeck& fastest_conductor(const Deck& deck) {
+  const auto diffusivity = [](const MaterialDeck& m) { return m.conductivity / m.density / m.specific_heat; };
+  return *std::max_element(
+      deck.materials.begin(), deck.materials.end(),
+      [&](const MaterialDeck& a, const MaterialDeck& b) { return diffusivity(a) < diffusivity(b); });
+}
+
+} // namespace
+
+double count_steps(const Deck& deck, const Simulation& simulation) {
+  return std::ceil(std::max(0.0, end_time_of(deck) - simulation.time()) / simulation.dt());
+}
+
+double count_heat_steps(const Deck& deck, const Simulation& simulation) {
+  const double step = simulation.heat_dt();
+  return step > 0 && std::isfinite(step) ? std::ceil(std::min(simulation.dt(), end_time_of(deck)) / step) : 0;
+}
+
+void refuse_endless(const Deck& deck, const Simulation& simulation) {
+  const double steps = count_steps(deck, simulation), heat = count_heat_steps(deck, simulation);
+  if (!(steps <= most_steps)) {
+    const std::string key = deck.run.end_time ? "end_time" : "end_immersion";
+    throw DeckError(fmt::format("{}: run.{}: makes {:.3g} steps of {:.3g} s, limited by {}: expected at most "
+                                "{:.0e}. End earlier, or take larger cells or a larger run.mass_factor.",
+                                line_of(deck.file, "[run]", key), key, steps, simulation.dt(),
+                                simulation.place_of_limiter(), most_steps));
+  }
+  if (heat > most_heat_steps) {
+    const MaterialDeck& m = fastest_conductor(deck);
+    throw DeckError(fmt::format(
+        "{}: material.{}.conductivity: {:.4g} W/m/K needs {:.3g} steps of conduction, of {:.3g} s, in each "
+        "step "
+        "of {:.3g} s: expected at most {:.0f}. Look at the unit, or take a smaller run.mass_factor.",
+        line_of(deck.file, "[material." + m.name + "]", "conductivity"), m.name, m.conductivity, heat,
+        simulation.heat_dt(), simulation.dt(), most_heat_steps));
+  }
+}
+
+} // namespace swarf

@@ -1,0 +1,213 @@
+#include "src/deck/keys.hpp"
+
+namespace swarf {
+namespace {
+
+using D = Dimension;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{}, positive{0, infinity, true, false}, not_negative{0, infinity}, share{0, 1};
+const std::vector<Condition> always;
+constexpr std::monostate custom;
+const std::string required = "required", optional = "optional";
+const std::string zero_velocity = R"(["0 m/s", "0 m/s", "0 m/s"])", zero_point = R"(["0 m", "0 m", "0 m"])";
+
+std::vector<Condition> law(std::vector<std::string> laws) { return {{"law", std::move(laws)}}; }
+std::vector<Condition> shape(std::vector<std::string> shapes) { return {{"shape", std::move(shapes)}}; }
+std::vector<Condition> fill(std::vector<std::string> fills) { return {{"fill", std::move(fills)}}; }
+std::vector<Condition> kind(std::vector<std::string> kinds) { return {{"kind", std::move(kinds)}}; }
+
+} // namespace
+
+const Keys<Deck>& top_keys() {
+  static const Keys<Deck> keys = {
+      {"title", &Deck::title, D::none, Text{}, R"("untitled")", always, "one line that names the scene"},
+  };
+  return keys;
+}
+
+const Keys<MaterialDeck>& material_keys() {
+  using M = MaterialDeck;
+  const auto deforms = law({"elastic", "linear_hardening", "johnson_cook"});
+  static const Keys<M> keys = {
+      {"law", &M::law, D::none, Choices{"elastic", "linear_hardening", "johnson_cook", "rigid"}, required,
+       always, "flow law; all are isotropic, with the Jaumann rate; rigid: of a tool, which only conducts"},
+      {"density", &M::density, D::density, positive, required, always, "mass per volume, unloaded"},
+      {"youngs_modulus", &M::youngs_modulus, D::pressure, positive, required, deforms, "E"},
+      {"poissons_ratio", &M::poissons_ratio, D::none, Range{-1, 0.5, true, true}, required, deforms, "nu"},
+      {"specific_heat", &M::specific_heat, D::specific_heat, positive, required,
+       law({"johnson_cook", "rigid"}), "heat per mass and kelvin"},
+      {"specific_heat", &M::specific_heat, D::specific_heat, positive, R"("500 J/kg/K")",
+       law({"elastic", "linear_hardening"}), "heat per mass and kelvin; changes no force under these laws"},
+      {"conductivity", &M::conductivity, D::conductivity, not_negative, R"("0 W/m/K")", deforms,
+       "of heat; 0: adiabatic"},
+      {"conductivity", &M::conductivity, D::conductivity, positive, required, law({"rigid"}), "of heat"},
+      {"taylor_quinney", &M::taylor_quinney, D::none, share, "0.9", law({"linear_hardening", "johnson_cook"}),
+       "share of the plastic work that becomes heat"},
+      {"yield_stress", &M::yield_stress, D::pressure, positive, required, law({"linear_hardening"}),
+       "flow stress at zero plastic strain"},
+      {"hardening_modulus", &M::hardening_modulus, D::pressure, not_negative, required,
+       law({"linear_hardening"}), "slope of flow stress over equivalent plastic strain"},
+      {"A", &M::A, D::pressure, positive, required, law({"johnson_cook"}),
+       "flow stress = (A + B e^n) (1 + C ln(rate/reference_rate)) (1 - T*^m); below the reference rate the "
+       "second factor is 1"},
+      {"B", &M::B, D::pressure, not_negative, required, law({"johnson_cook"}), "hardening"},
+      {"n", &M::n, D::none, Range{0, 10, true, false}, required, law({"johnson_cook"}), "hardening exponent"},
+      {"C", &M::C, D::none, Range{0, 10}, required, law({"johnson_cook"}), "rate sensitivity"},
+      {"m", &M::m, D::none, Range{0, 10, true, false}, required, law({"johnson_cook"}), "softening exponent"},
+      {"reference_rate", &M::reference_rate, D::rate, positive, R"("1 1/s")", law({"johnson_cook"}),
+       "plastic strain rate where the rate factor is 1"},
+      {"reference_temperature", &M::reference_temperature, D::temperature, positive, required,
+       law({"johnson_cook"}), "T* = 0 here and below"},
+      {"melt_temperature", &M::melt_temperature, D::temperature, positive, required, law({"johnson_cook"}),
+       "T* = 1: no strength"},
+      {"damage", &M::damage, D::none, any, optional, law({"johnson_cook"}),
+       "D1 to D5 of the Johnson-Cook fracture strain (1985); without it nothing fails"},
+  };
+  return keys;
+}
+
+const Keys<BodyDeck>& body_keys() {
+  using B = BodyDeck;
+  const Range ring_angle{-360, 720};
+  const std::vector<Condition> block_or_ring = shape({"block", "ring"}), cylinder = shape({"cylinder"});
+  const std::vector<Condition> lattice_of_hexes = {{"fill", {"hexes"}}, {"shape", {"block", "ring"}}};
+  static const Keys<B> keys = {
+      {"name", &B::name, D::none, Text{}, required, always, "unique among the bodies"},
+      {"shape", &B::shape, D::none, Choices{"block", "cylinder", "ring", "sphere"}, required, always,
+       "cylinder and ring have their axis along z"},
+      {"fill", &B::fill, D::none, Choices{"particles", "hexes"}, required, always,
+       "how the body is discretised"},
+      {"material", &B::material, D::none, Text{}, required, always, "NAME of a [material.NAME]"},
+      {"origin", &B::origin, D::length, any, zero_point, always,
+       "block: corner of least x, y, z; cylinder and ring: centre of the base; sphere: centre"},
+      {"size", &B::size, D::length, positive, required, shape({"block"}), "edges along x, y, z"},
+      {"radius", &B::radius, D::length, positive, required, cylinder, "of the cylinder"},
+      {"inner_radius", &B::inner_radius, D::length, positive, required, shape({"ring"}), "of the bore"},
+      {"inner_radius", &B::inner_radius, D::length, not_negative, R"("0 m")", shape({"sphere"}),
+       "of the hollow; 0: solid"},
+      {"outer_radius", &B::outer_radius, D::length, positive, required, shape({"ring", "sphere"}),
+       "of the outer surface"},
+      {"height", &B::height, D::length, positive, required, shape({"cylinder", "ring"}), "along z"},
+      {"start_angle", &B::start_angle, D::angle, ring_angle, R"("0 deg")", shape({"ring"}),
+       "of the sector, counter-clockwise from +x"},
+      {"end_angle", &B::end_angle, D::angle, ring_angle, R"("360 deg")", shape({"ring"}),
+       "of the sector; a whole turn closes the ring"},
+      {"spacing", &B::spacing, D::length, positive, optional, always,
+       "distance of particles, or edge of hexes; rounded so that whole cells fit. Instead of cells"},
+      {"cells", &B::cells, D::none, Counts{3}, optional, block_or_ring,
+       "exact counts instead of spacing; block [x, y, z], ring [around, axial, radial]"},
+      {"cells", &B::cells, D::none, Counts{2}, optional, cylinder,
+       "exact counts instead of spacing: [across the diameter, axial]"},
+      {"previous_tooth", &B::previous_tooth, D::none, any, "false", shape({"ring"}),
+       "inner surface as the previous tooth of the end mill left it, not round"},
+      {"velocity", &B::velocity, D::velocity, any, zero_velocity, always, "at the start"},
+      {"temperature", &B::temperature, D::temperature, positive, R"("25 degC")", always, "at the start"},
+      {"tie", &B::tie, D::none, Text{}, optional, fill({"particles"}),
+       "name of the body of hexes that these particles are tied to"},
+      {"convert_distance", &B::convert_distance, D::length, positive, optional, lattice_of_hexes,
+       "hexes whose centre is nearer than this to the tool become particles, for good; those on a fixed or "
+       "driven face stay hexes"},
+      {"convert_strain", &B::convert_strain, D::none, positive, optional, lattice_of_hexes,
+       "hexes whose equivalent plastic strain reaches this become particles; with convert_distance: either"},
+      {"convert_particles", &B::convert_particles, D::none, Range{1, 4}, "2", lattice_of_hexes,
+       "particles along each edge of a hex that becomes particles"},
+      {"faces", custom, D::none, any, optional, always,
+       "table [body.faces]: FACE = \"fixed\" | \"symmetric\" | \"periodic\" | { velocity = [...] }. "
+       "Faces of a block: x_min x_max y_min y_max z_min z_max; of a cylinder: bottom top side; of a ring: "
+       "inner "
+       "outer bottom top start end; of a sphere: inner outer. Faces not named are free; periodic ones come "
+       "in "
+       "opposite pairs; symmetric and periodic ones are plane"},
+  };
+  return keys;
+}
+
+const Keys<FaceDeck>& face_keys() {
+  static const Keys<FaceDeck> keys = {
+      {"velocity", &FaceDeck::velocity, D::velocity, any, required, always, "prescribed for the whole face"},
+  };
+  return keys;
+}
+
+const Keys<ToolDeck>& tool_keys() {
+  using T = ToolDeck;
+  const auto mill = kind({"end_mill"}), wedge = kind({"wedge"}), wall = kind({"wall"}), stl = kind({"stl"});
+  const auto cutting = kind({"end_mill", "wedge"});
+  static const Keys<T> keys = {
+      {"kind", &T::kind, D::none, Choices{"end_mill", "wedge", "wall", "stl"}, required, always,
+       "rigid, any of these"},
+      {"diameter", &T::diameter, D::length, positive, required, mill, "of the circle of the tips"},
+      {"flutes", &T::flutes, D::none, Range{1, 8}, "2", mill, "number of teeth, evenly spaced"},
+      {"helix", &T::helix, D::angle, Range{0, 70}, R"("0 deg")", mill, "angle; right-handed"},
+      {"rake", &T::rake, D::angle, Range{-60, 60}, required, cutting,
+       "angle of the face the chip runs up; positive leans it back, away from the cut"},
+      {"clearance", &T::clearance, D::angle, Range{0, 45, true, false}, required, cutting,
+       "angle behind the edge"},
+      {"edge_radius", &T::edge_radius, D::length, not_negative, required, cutting,
+       "of the rounded cutting edge; 0: sharp"},
+      {"length", &T::length, D::length, positive, required, mill,
+       "of the modelled part of the mill, along its axis"},
+      {"core_ratio", &T::core_ratio, D::none, Range{0, 1, true, true}, "0.6", mill,
+       "diameter of the core / diameter"},
+      {"runout", &T::runout, D::length, not_negative, R"("0 m")", mill,
+       "distance of the mill's axis from the spindle's"},
+      {"runout_angle", &T::runout_angle, D::angle, Range{-360, 360}, R"("0 deg")", mill,
+       "direction of the run-out, clockwise from tooth 0; 0: tooth 0 cuts more"},
+      {"inclination", &T::inclination, D::angle, Range{-60, 60}, R"("0 deg")", wedge,
+       "of the edge, about +y; 0: the edge lies along z (orthogonal cutting along +x)"},
+      {"width", &T::width, D::length, positive, required, wedge, "along the edge"},
+      {"height", &T::height, D::length, positive, required, wedge, "of the wedge above its edge"},
+      {"normal", &T::normal, D::none, Direction{}, "[0.0, 0.0, 1.0]", wall,
+       "of the wall, towards the bodies"},
+      {"size", &T::size, D::length, positive, required, wall, "edge of the square wall"},
+      {"file", &T::file, D::none, Text{}, required, stl,
+       "STL file, relative to the deck; closed, normals outwards"},
+      {"file_scale", &T::file_scale, D::length, positive, R"("1 mm")", stl, "length of one unit of the file"},
+      {"position", &T::position, D::length, any, zero_point, always,
+       "of the tool's origin at the start: end_mill centre of the end face, wedge lowest point of the middle "
+       "of "
+       "the edge, wall centre, stl origin of the file"},
+      {"velocity", &T::velocity, D::velocity, any, required, wedge, "straight motion"},
+      {"velocity", &T::velocity, D::velocity, any, zero_velocity, kind({"wall", "stl"}), "straight motion"},
+      {"spindle_speed", &T::spindle_speed, D::angular_velocity, positive, required, mill,
+       "clockwise seen from +z"},
+      {"spindle_speed", &T::spindle_speed, D::angular_velocity, not_negative, R"("0 rpm")", stl,
+       "about the file's z axis, clockwise seen from +z"},
+      {"feed_per_tooth", &T::feed_per_tooth, D::length, not_negative, required, mill,
+       "advance between two teeth; feed = feed_per_tooth * flutes * spindle speed"},
+      {"feed_direction", &T::feed_direction, D::none, Direction{}, "[1.0, 0.0, 0.0]", mill, "of the advance"},
+      {"start_angle", &T::start_angle, D::angle, Range{-360, 720}, R"("0 deg")", mill,
+       "immersion angle of tooth 0 at the end face at time 0: clockwise from +y"},
+      {"material", &T::material, D::none, Text{}, optional, always,
+       "NAME of a [material.NAME] with law = \"rigid\": the tool conducts, and takes heat from the bodies "
+       "and "
+       "from friction by itself; not given: contact.heat_to_workpiece"},
+      {"temperature", &T::temperature, D::temperature, positive, R"("25 degC")", always,
+       "of a tool with a material, at the start"},
+      {"held_beyond", &T::held_beyond, D::length, positive, optional, always,
+       "a tool with a material stays at that temperature farther than this from where the bodies come; not "
+       "given: its far faces are insulated"},
+  };
+  return keys;
+}
+
+const Keys<ContactDeck>& contact_keys() {
+  using C = ContactDeck;
+  static const Keys<C> keys = {
+      {"friction", &C::friction, D::none, Range{0, 10}, required, always,
+       "Coulomb coefficient between tool and bodies"},
+      {"shear_limit", &C::shear_limit, D::pressure, positive, optional, always, "largest friction stress"},
+      {"stiffness", &C::stiffness, D::none, Range{0, 1, true, false}, "0.1", always,
+       "of the penalty spring, in units of (scaled mass) / dt^2; where it is soft the tool sinks in, and the "
+       "thrust force of a cut grows"},
+      {"heat_to_workpiece", &C::heat_to_workpiece, D::none, share, optional, always,
+       "share of the friction work that heats the bodies; the rest is lost to the tool; not given: 0.5. Of a "
+       "tool without a material only"},
+      {"conductance", &C::conductance, D::conductance, positive, optional, always,
+       "of heat through the interface, of a tool with a material; not given: perfect contact, no jump of the "
+       "temperature"},
+  };
+  return keys;
+}
+
+} // namespace swarf

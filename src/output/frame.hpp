@@ -1,0 +1,48 @@
+// One picture of the state on the host: what output writes and pictures show.
+#pragma once
+#include "swarf/hexes/hex_mesh.hpp"
+#include "swarf/particles/particles.hpp"
+#include "swarf/tool/tool.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace swarf {
+
+// State of particles or hexes, one row each; SI. A field without rows is not written.
+struct PointFields {
+  std::vector<float> temperature, equivalent_plastic_strain, plastic_strain_rate;
+  std::vector<float> von_mises, pressure; // Pa, pressure positive in compression
+  std::vector<float> stress;              // Pa, 6 a row: xx yy zz xy yz zx
+  std::vector<float> damage, volume;
+  std::vector<int> material;
+};
+
+struct FrameParticles {
+  std::vector<float> position, velocity, contact_force; // 3 a row
+  std::vector<int> body, identity;
+  std::vector<int> retired; // 1: has left for good; 2: and was met
+  PointFields state;
+};
+
+struct FrameHexes {
+  std::vector<float> position, velocity; // of the nodes, 3 a row
+  std::vector<int> connectivity;         // 8 a row, VTK order
+  std::vector<int> active;               // 0: deleted, 2: asleep
+  PointFields state;
+};
+
+struct FrameData {
+  double time = 0;                 // s
+  std::optional<double> immersion; // deg; none for scenes without a spindle
+  FrameParticles particles;
+  FrameHexes hexes;
+  std::vector<float> tool; // corners of its facets in the world, 9 a facet
+};
+
+// Copies particles (without the tied ones and the images), hexes and the tool where it stands. time and
+// immersion are left to the caller. The tool has 0 facets in scenes without one.
+FrameData copy_frame(const Particles& particles, const HexMesh& hexes, const Tool& tool,
+                     const ToolPose& pose);
+
+} // namespace swarf

@@ -1,0 +1,14 @@
+// What of a deck a restart must find unchanged.
+#pragma once
+#include "src/scene/scene.hpp"
+
+namespace swarf {
+
+// The resolved deck without what is no physics (title, end, threads, output but for the force scale, limits
+// of the balance, where the tool's file lies), and the tool's facets as a number.
+std::string restart_text(const Deck& deck, const Scene& scene);
+
+// Each key of two resolved texts that differs, with both values: to the last digit, or in the first six.
+std::vector<std::string> list_text_changes(const std::string& before, const std::string& now, bool exactly);
+
+} // namespace swarf

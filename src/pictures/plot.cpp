@@ -1,0 +1,122 @@
+#include "src/pictures/plot.hpp"
+
+#include "src/output/history.hpp"
+#include "src/pictures/chart.hpp"
+#include "src/pictures/display.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace swarf {
+namespace {
+
+struct Axis {
+  std::string title;
+  std::vector<double> values;
+};
+
+// Immersion where the run has one, else time in a unit that gives handy numbers.
+Axis horizontal_axis(const HistoryTable& history) {
+  const auto& angle = history.at("immersion");
+  const auto [least, most] = std::minmax_element(angle.begin(), angle.end());
+  if (*most > *least) return {"Immersion angle [deg]", angle};
+  Axis axis{"", history.at("time")};
+  const double end = axis.values.back();
+  const auto [scale, unit] = end < 1e-3 ? std::pair(1e6, "\u00b5s")
+                             : end < 1  ? std::pair(1e3, "ms")
+                                        : std::pair(1.0, "s");
+  for (double& t : axis.values) t *= scale;
+  axis.title = fmt::format("Time [{}]", unit);
+  return axis;
+}
+
+HistoryTable load(const ResultsFolder& results) {
+  const std::string why_not = open_display();
+  if (!why_not.empty()) throw ResultsError(why_not);
+  HistoryTable history = read_history(results.history());
+  if (history.rows() < 2)
+    throw ResultsError(fmt::format("{}: has {} samples, a curve needs two; let the run go on",
+                                   results.history().string(), history.rows()));
+  return history;
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double v : values)
+    if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+} // namespace
+
+void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
+                 const std::vector<LabelledForce>& published, double filter_frequency) {
+  const HistoryTable history = load(results);
+  const HistoryTable filtered = filter_history(history, filter_frequency);
+  const Axis axis = horizontal_axis(history);
+
+  std::vector<Curve> thick{{"F_x", filtered.at("force_x"), blue, 3},
+                           {"F_y", filtered.at("force_y"), vermilion, 3},
+                           {"F_z", filtered.at("force_z"), green, 3},
+                           {"planar resultant", filtered.at("force_planar"), black, 5}};
+  const auto& planar = filtered.at("force_planar");
+  const bool is_planar = largest_of(planar) > 0.01 * largest_of(filtered.at("force_z"));
+  if (!is_planar) thick.erase(thick.begin(), thick.begin() + 2), thick.pop_back(); // a blow along z
+  std::vector<Level> levels;
+  for (const LabelledForce& force : published)
+    levels.push_back({fmt::format("{} ({} N)", force.label, force.force), force.force});
+  const auto [least, most] = vertical_range(thick, levels);
+
+  Chart chart("Force on the tool", axis.title, "Force [N]");
+  chart.add(axis.values,
+            {is_planar ? "unfiltered resultant" : "unfiltered F_z",
+             history.at(is_planar ? "force_planar" : "force_z"), grey, 1, vtkPen::SOLID_LINE, 110});
+  for (const Level& level : levels)
+    chart.add({axis.values.front(), axis.values.back()},
+              {"", {level.value, level.value}, grey, 2.5, vtkPen::DASH_LINE});
+  for (const Curve& curve : thick) chart.add(axis.values, curve);
+  chart.set_range(vtkAxis::LEFT, least, most);
+  chart.set_range(vtkAxis::BOTTOM, axis.values.front(), axis.values.back());
+  chart.write(png, levels);
+}
+
+void plot_energies(const ResultsFolder& results, const std::filesystem::path& png) {
+  const HistoryTable history = load(results);
+  const Axis axis = horizontal_axis(history);
+  const std::vector<std::pair<const char*, Colour>> terms{
+      {"plastic_work", vermilion}, {"friction_work", orange},   {"elastic_energy", blue},
+      {"kinetic_energy", sky},     {"viscous_work", green},     {"hourglass_work", purple},
+      {"contact_energy", grey},    {"tie_work", {150, 110, 60}}};
+
+  double largest = largest_of(history.at("external_work"));
+  for (const auto& term : terms) largest = std::max(largest, largest_of(history.at(term.first)));
+  const auto [scale, unit] = largest < 1e-6   ? std::pair(1e9, "nJ")
+                             : largest < 1e-3 ? std::pair(1e6, "\u00b5J")
+                             : largest < 1    ? std::pair(1e3, "mJ")
+                                              : std::pair(1.0, "J");
+  const auto scaled = [&, scale = scale](const char* name) {
+    std::vector<double> values = history.at(name);
+    for (double& v : values) v *= scale;
+    return values;
+  };
+  const auto label = [](std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+  };
+  std::vector<Curve> curves{{"external work", scaled("external_work"), black, 5}};
+  for (const auto& [name, colour] : terms) {
+    const auto values = scaled(name);
+    if (largest_of(values) > 0) curves.push_back({label(name), values, colour, 3});
+  }
+  curves.push_back({"energy residual", scaled("energy_residual"), black, 2.5, vtkPen::DASH_LINE});
+
+  Chart chart("Energy", axis.title, fmt::format("Energy [{}]", unit));
+  for (const Curve& curve : curves) chart.add(axis.values, curve);
+  const auto [least, most] = vertical_range(curves, {});
+  chart.set_range(vtkAxis::LEFT, least, most);
+  chart.set_range(vtkAxis::BOTTOM, axis.values.front(), axis.values.back());
+  chart.write(png, {});
+}
+
+} // namespace swarf

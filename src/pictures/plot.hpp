@@ -1,0 +1,21 @@
+// Curves of a run as PNG, from its history.
+#pragma once
+#include "src/deck/deck.hpp"
+#include "src/windows/join_windows.hpp"
+
+namespace swarf {
+
+// Forces on the tool against the immersion angle (against time for scenes without a spindle): raw thin and
+// pale, filtered thick; the published values as labelled dashed lines. filter_frequency as in the deck. Needs
+// a Display. Throws ResultsError if the history has fewer than two samples.
+void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
+                 const std::vector<LabelledForce>& published, double filter_frequency);
+
+// The energy ledger over the same axis: where the external work went, and the residual.
+void plot_energies(const ResultsFolder& results, const std::filesystem::path& png);
+
+// Force over immersion from windows.csv, with bars of one standard error, own or of the scatter between
+// windows. Needs a Display. Throws ResultsError.
+void plot_windows(const PassFolder& folder, const std::vector<LabelledForce>& published);
+
+} // namespace swarf

@@ -1,0 +1,221 @@
+#include "src/pictures/render.hpp"
+
+#include "src/files/say.hpp"
+#include "src/pictures/display.hpp"
+#include "src/pictures/png.hpp"
+#include "src/pictures/render_view.hpp"
+
+#include <fmt/format.h>
+
+#include <vtkActor2D.h>
+#include <vtkCellData.h>
+#include <vtkLineSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarf {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int bar_height = 130; // pixels
+struct ColourRange {
+  double least, most, step;
+};
+
+// From the least value to the one that only 1 in 1000 particles exceeds, at round numbers.
+ColourRange find_range(const std::vector<LoadedFrame>& frames) {
+  std::vector<float> values;
+  for (const LoadedFrame& frame : frames)
+    for (vtkPolyData* part : {frame.particles.Get(), frame.hexes.Get()}) {
+      if (!part) continue;
+      for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(part->GetPointData()),
+                                         static_cast<vtkDataSetAttributes*>(part->GetCellData())})
+        if (vtkDataArray* array = data->GetArray("shown"))
+          for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+            if (std::isfinite(array->GetTuple1(i))) values.push_back(float(array->GetTuple1(i)));
+    }
+  if (values.empty()) return {0, 1, 0.2};
+  const auto quantile = [&](double share) {
+    const auto at = values.begin() + long(share * double(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return double(*at);
+  };
+  double least = quantile(0), most = quantile(0.999);
+  if (most <= least) most = quantile(1);
+  if (most <= least)
+    return {least, least + (least == 0 ? 1 : std::abs(least)), (least == 0 ? 1 : std::abs(least)) / 4};
+  const double power = std::pow(10, std::floor(std::log10(most - least))), leading = (most - least) / power;
+  const double step = power / (leading < 2 ? 10 : leading < 5 ? 5 : 2);
+  return {std::floor(least / step) * step, std::ceil(most / step) * step, step};
+}
+
+// Labels of the colour bar at round numbers: as many intervals as divide the range in whole steps, 3 to 7.
+int count_labels(ColourRange& range) {
+  int steps = int(std::lround((range.most - range.least) / range.step));
+  for (;; ++steps, range.most += range.step)
+    for (int intervals = 7; intervals >= 3; --intervals)
+      if (steps % intervals == 0) return intervals + 1;
+}
+
+void add_text(vtkRenderer* renderer, const std::string& words, int size, double x, double y,
+              bool centred = false) {
+  vtkNew<vtkTextActor> text;
+  text->SetInput(words.c_str());
+  text->GetTextProperty()->SetFontSize(size);
+  text->GetTextProperty()->SetColor(0, 0, 0);
+  text->GetTextProperty()->SetBackgroundColor(1, 1, 1);
+  text->GetTextProperty()->SetBackgroundOpacity(0.75);
+  if (centred) text->GetTextProperty()->SetJustificationToCentered();
+  text->SetPosition(x, y);
+  renderer->AddActor2D(text);
+}
+
+std::string frame_label(const FrameEntry& entry) {
+  if (entry.immersion) return fmt::format("immersion {:.1f}\u00b0", *entry.immersion);
+  return entry.time < 1e-3 ? fmt::format("{:.3g} \u00b5s", entry.time * 1e6)
+                           : fmt::format("{:.4g} ms", entry.time * 1e3);
+}
+
+// A bar of a round length, about a quarter of a view, at the lower left.
+void add_scale_bar(vtkRenderer* renderer, const Camera& camera) {
+  const double metres_per_pixel = 2 * camera.half_height / camera.height / units_per_metre;
+  const double wish = 160 * metres_per_pixel, power = std::pow(10, std::floor(std::log10(wish)));
+  const double length = wish >= 5 * power ? 5 * power : wish >= 2 * power ? 2 * power : power;
+  const double left = 30, right = left + length / metres_per_pixel, height = 40;
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(left, height, 0);
+  line->SetPoint2(right, height, 0);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputConnection(line->GetOutputPort());
+  vtkNew<vtkActor2D> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0, 0, 0);
+  actor->GetProperty()->SetLineWidth(6);
+  renderer->AddActor2D(actor);
+  const bool small = length < 0.999e-3;
+  const std::string words = fmt::format("{:.4g} {}", length * (small ? 1e6 : 1e3), small ? "\u00b5m" : "mm");
+  add_text(renderer, words, 26, (left + right) / 2, height + 14, true);
+}
+
+vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& title, int labels,
+                                    int picture_width) {
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1, 1, 1);
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(colours);
+  bar->SetOrientationToHorizontal();
+  bar->SetNumberOfLabels(labels);
+  bar->SetMaximumNumberOfColors(256);
+  bar->SetLabelFormat("%.4g");
+  bar->UnconstrainedFontSizeOn();
+  vtkTextProperty* text = bar->GetLabelTextProperty();
+  text->SetColor(0, 0, 0);
+  text->SetFontSize(24);
+  text->ItalicOff(), text->BoldOff(), text->ShadowOff();
+  const double width = std::min(0.55, 780.0 / picture_width);
+  bar->SetPosition(0.5 - width / 2, 0.06);
+  bar->SetWidth(width), bar->SetHeight(0.58);
+  bar->SetBarRatio(0.5);
+  renderer->AddActor2D(bar);
+  add_text(renderer, title, 26, picture_width / 2.0, bar_height - 38, true);
+  return renderer;
+}
+
+} // namespace
+
+std::vector<FrameEntry> choose_frames(const std::vector<FrameEntry>& frames,
+                                      const std::vector<double>& immersion, const std::vector<double>& time) {
+  std::vector<std::size_t> chosen;
+  const auto take_nearest = [&](double wish, auto&& value) {
+    std::size_t best = frames.size();
+    for (std::size_t k = 0; k < frames.size(); ++k)
+      if (std::isfinite(value(frames[k])) &&
+          (best == frames.size() || std::abs(value(frames[k]) - wish) < std::abs(value(frames[best]) - wish)))
+        best = k;
+    if (best < frames.size()) chosen.push_back(best);
+  };
+  for (const double angle : immersion)
+    take_nearest(angle, [](const FrameEntry& f) { return f.immersion.value_or(std::nan("")); });
+  for (const double t : time) take_nearest(t, [](const FrameEntry& f) { return f.time; });
+  if (chosen.empty())
+    for (std::size_t k = 0, n = std::min<std::size_t>(4, frames.size()); k < n; ++k)
+      chosen.push_back(n == frames.size() ? k : (k + 1) * (frames.size() - 1) / n);
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::vector<FrameEntry> out;
+  for (const std::size_t k : chosen) out.push_back(frames[k]);
+  return out;
+}
+
+void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& entries,
+                 const PictureOptions& options, const fs::path& png) {
+  if (const std::string why_not = open_display(); !why_not.empty()) throw ResultsError(why_not);
+  const ShownField field = describe_field(options.field);
+  std::vector<LoadedFrame> frames;
+  for (const FrameEntry& entry : entries)
+    if (entry.particles || entry.hexes) frames.push_back(load_frame(results, entry, field));
+  if (frames.empty())
+    throw ResultsError(results.path.string() + ": has no frames to draw; set output.frame_time or "
+                                               "output.frame_immersion in the deck and run it again");
+  const Camera camera = aim_camera(options, frames);
+  ColourRange range = find_range(frames);
+  const int labels = count_labels(range);
+  const auto colours = make_colours(range.least, range.most);
+
+  const int n = int(frames.size()), columns = n <= 4 || n * camera.width <= 2600 ? n : (n + 1) / 2;
+  const int rows = (n + columns - 1) / columns;
+  // Room for the scale and colour bars even where one narrow view stands alone.
+  const int views_width = columns * camera.width, width = std::max(views_width, 800);
+  const int height = rows * camera.height + bar_height;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(4);
+  window->SetSize(width, height);
+  vtkNew<vtkRenderer> paper; // under all views: the last row may have a gap
+  paper->SetBackground(1, 1, 1);
+  window->AddRenderer(paper);
+  for (int k = 0; k < n; ++k) {
+    const auto view =
+        make_view(frames[std::size_t(k)], camera, find_focus(camera, frames, std::size_t(k)), colours);
+    const double left = k % columns * camera.width + (width - views_width) / 2.0;
+    const double bottom = height - (k / columns + 1.0) * camera.height, gap = 3; // white, between views
+    view->SetViewport((left + gap) / width, (bottom + gap) / height, (left + camera.width - gap) / width,
+                      (bottom + camera.height - gap) / height);
+    add_text(view, frame_label(frames[std::size_t(k)].entry), 30, 20, camera.height - 50);
+    window->AddRenderer(view);
+  }
+  const auto bar = make_colour_bar(colours, field.title, labels, width);
+  add_scale_bar(bar, camera);
+  bar->SetViewport(0, 0, 1, double(bar_height) / height);
+  window->AddRenderer(bar);
+  write_png(window, png);
+}
+
+bool render_strip(const std::string& results_folder) {
+  const ResultsFolder results = open_results(results_folder);
+  const Deck deck = read_deck(results.deck().string(), results.tool().string());
+  if (const std::string why_not = open_display(); !why_not.empty()) {
+    complain("no pictures of the chip: {}", why_not);
+    return false;
+  }
+  make_folder(results.pictures());
+  std::vector<double> angles = deck.output.picture_immersion;
+  for (double& angle : angles) angle *= 180 / M_PI;
+  const auto chosen = choose_frames(read_frame_list(results), angles, deck.output.picture_time);
+  const PictureOptions options{deck.output.picture_field, deck.output.picture_view, 0};
+  draw_frames(results, chosen, options, results.pictures() / "chip.png");
+  for (const FrameEntry& entry : chosen)
+    if (entry.particles || entry.hexes)
+      draw_frames(results, {entry}, options,
+                  results.pictures() / fmt::format("chip_{:04d}.png", entry.index));
+  return true;
+}
+
+} // namespace swarf

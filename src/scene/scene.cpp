@@ -1,0 +1,224 @@
+#include "src/scene/scene.hpp"
+#include "src/deck/lines.hpp"
+#include "src/geometry/upload.hpp"
+#include "src/scene/hex_conversion.hpp"
+#include "src/scene/parts.hpp"
+#include "src/tool/cells.hpp"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+
+namespace swarf {
+
+Material make_material(const MaterialDeck& deck) {
+  Material m;
+  m.density = Real(deck.density);
+  m.bulk_modulus = Real(deck.youngs_modulus / (3 * (1 - 2 * deck.poissons_ratio)));
+  m.shear_modulus = Real(deck.youngs_modulus / (2 * (1 + deck.poissons_ratio)));
+  m.specific_heat = Real(deck.specific_heat), m.conductivity = Real(deck.conductivity);
+  m.taylor_quinney = Real(deck.taylor_quinney);
+  if (deck.law == "linear_hardening") {
+    m.law = FlowLaw::linear_hardening;
+    m.yield_stress = Real(deck.yield_stress), m.hardening_modulus = Real(deck.hardening_modulus);
+  } else if (deck.law == "johnson_cook") {
+    m.law = FlowLaw::johnson_cook;
+    m.A = Real(deck.A), m.B = Real(deck.B), m.n = Real(deck.n), m.C = Real(deck.C), m.m = Real(deck.m);
+    m.reference_rate = Real(deck.reference_rate);
+    m.reference_temperature = Real(deck.reference_temperature),
+    m.melt_temperature = Real(deck.melt_temperature);
+  }
+  if (deck.damage) {
+    const auto& D = *deck.damage;
+    m.damage = {true, Real(D[0]), Real(D[1]), Real(D[2]), Real(D[3]), Real(D[4])};
+  }
+  return m;
+}
+
+namespace {
+
+std::vector<FilledBody> fill_bodies(const Deck& deck) {
+  std::vector<Shape> shapes; // all counts are checked before the first body is filled
+  for (const BodyDeck& body : deck.bodies) shapes.push_back(make_shape(deck, body));
+  check_memory(deck);
+  std::vector<FilledBody> bodies;
+  int particles = 0, nodes = 0, hexes = 0;
+  for (std::size_t row = 0; row < deck.bodies.size(); ++row) {
+    const BodyDeck& body = deck.bodies[row];
+    FilledBody filled;
+    filled.deck = &body, filled.row = int(row), filled.shape = shapes[row];
+    const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                       [&](const MaterialDeck& m) { return m.name == body.material; });
+    if (material == deck.materials.end())
+      reject(deck, body, "material", fmt::format("has no [material.{}]. Add it", body.material));
+    filled.material = int(material - deck.materials.begin());
+    if (filled.has_particles()) {
+      filled.points = fill_points(filled.shape), filled.first = particles;
+      if (filled.points.position.empty()) reject(deck, body, "spacing", "holds no particle. Make it smaller");
+    } else {
+      filled.hexes = fill_hexes(filled.shape), filled.first = nodes, filled.first_hex = hexes;
+      if (body.converts())
+        filled.points.spacing =
+            std::cbrt(filled.shape.volume() / double(filled.hexes.hex.size())) / body.convert_particles;
+    }
+    particles += int(filled.points.position.size());
+    nodes += int(filled.hexes.node.size()), hexes += int(filled.hexes.hex.size());
+    bodies.push_back(std::move(filled));
+  }
+  return bodies;
+}
+
+// Particles have the identity of their row.
+HeldRows make_held_rows(const Faces& faces) {
+  std::map<int, std::vector<int>> of_host;
+  for (std::size_t i = 0; i < faces.particle_host.size(); ++i)
+    if (faces.particle_host[i] >= 0) of_host[faces.particle_host[i]].push_back(int(i));
+  std::vector<int> host, start{0}, held, face;
+  for (const auto& [at, particles] : of_host) {
+    host.push_back(at);
+    for (const int i : particles)
+      held.push_back(i), face.push_back(std::countr_zero(faces.particle_bits[std::size_t(i)]));
+    start.push_back(int(held.size()));
+  }
+  const int rows = host.empty() ? 0 : int(faces.particle_host.size());
+  return {int(host.size()),
+          upload("held_rows.host", host),
+          upload("held_rows.start", start),
+          upload("held_rows.held", held),
+          upload("held_rows.face", face),
+          IndexField("held_rows.row", rows)};
+}
+
+// Particles sharing a plane's images need the largest support of all.
+double largest_smoothing_length(const Deck& deck, const std::vector<FilledBody>& bodies) {
+  double largest = 0;
+  for (const FilledBody& b : bodies)
+    largest = std::max(largest, deck.particles.smoothing_ratio * b.points.spacing);
+  return largest;
+}
+
+// Its cells hold a particle each, in the middle; those of hexes that will be particles begin at the nodes.
+CellGrid lattice_of(const FilledBody& body) {
+  const bool filled = !body.points.position.empty();
+  const std::vector<Point>& points = filled ? body.points.position : body.hexes.node;
+  const double half = filled ? 0.5 * body.points.spacing : 0;
+  Point low = points.front();
+  for (const Point& x : points) low = low.cwiseMin(x);
+  return {to_vector3(Point(low - Point(half, half, half))), Real(body.points.spacing)};
+}
+
+// The mass of a hex as a material point is that of the volume that carries stress; its nodes keep it all.
+void set_stress_shares(HexMesh& mesh, const std::vector<double>& share) {
+  const auto mass = host_copy(mesh.points.mass);
+  mesh.share = upload<ScalarField>("share", mesh.points.count, [&](auto& f, int e) {
+    f(e) = Real(share[std::size_t(e)]);
+    mass(e) *= f(e);
+  });
+  Kokkos::deep_copy(mesh.points.mass, mass);
+}
+
+double largest_diagonal(const std::vector<FilledBody>& bodies) {
+  double largest = 0;
+  for (const FilledBody& b : bodies)
+    for (const auto& hex : b.hexes.hex)
+      for (const auto& [from, to] : {std::pair(0, 6), std::pair(1, 7), std::pair(2, 4), std::pair(3, 5)})
+        largest = std::max(largest, (b.hexes.node[std::size_t(hex[std::size_t(to)])] -
+                                     b.hexes.node[std::size_t(hex[std::size_t(from)])])
+                                        .norm());
+  return largest;
+}
+
+std::vector<TiedPoint> tie_bodies(const Deck& deck, const std::vector<FilledBody>& bodies, double reach) {
+  std::vector<TiedPoint> tied;
+  for (int row = 0; row < int(bodies.size()); ++row) {
+    if (!bodies[row].has_particles() || bodies[row].deck->tie.empty()) continue;
+    const auto points = place_tied_points(deck, bodies, row, reach);
+    tied.insert(tied.end(), points.begin(), points.end());
+  }
+  return tied;
+}
+
+// The geometry's own words, at the key of the deck that they are about.
+FacetSurface make_surface(const Deck& deck) {
+  try {
+    return make_tool_surface(*deck.tool, std::filesystem::path(deck.file).parent_path().string());
+  } catch (const DeckError& error) {
+    const std::string what = error.what();
+    const bool is_file = deck.tool->kind == "stl";
+    const bool names_key = what.starts_with("tool.");
+    const std::string key = is_file ? "file" : names_key ? what.substr(5, what.find(':') - 5) : "kind";
+    throw DeckError(
+        fmt::format("{}: {}{}.", line_of(deck.file, "[tool]", key), is_file ? "tool.file: " : "", what));
+  }
+}
+
+void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& scene) {
+  const FacetSurface surface = make_surface(deck);
+  scene.collapsed_facets = surface.collapsed;
+  for (const auto& f : surface.facets)
+    scene.tool_facets.push_back({surface.vertices[f[0]], surface.vertices[f[1]], surface.vertices[f[2]]});
+  double cell = 0; // largest, so that gaps and penetrations of a cell stay within reach
+  for (const FilledBody& b : bodies) {
+    const double share = b.shape.volume() / double(std::max<std::size_t>(1, b.hexes.hex.size()));
+    const bool touches = scene.spacing == 0 || b.deck->converts();
+    cell = std::max(cell, b.has_particles() ? b.points.spacing : touches ? std::cbrt(share) : 0.0);
+  }
+  scene.tool = build_tool(surface, *deck.tool, 2 * cell);
+  if (deck.tool->material.empty()) return;
+  std::vector<Shape> shapes;
+  for (const FilledBody& b : bodies) shapes.push_back(b.shape);
+  const HeatPlan plan = plan_tool_heat(deck, shapes, scene.spacing > 0 ? scene.spacing : cell);
+  scene.tool.heat = build_tool_heat(scene.tool, surface, *deck.tool, plan);
+  scene.tool.heat.first = IndexField("tool_first", std::size_t(scene.tool.heat.cells) + 1);
+  scene.heat_reach = plan.reach;
+}
+
+} // namespace
+
+Scene build_scene(const Deck& deck) {
+  if (deck.run.accuracy) throw std::logic_error("run.accuracy must be applied before the scene is built");
+  if (deck.bodies.empty())
+    throw DeckError(fmt::format("{}: body: expected at least one [[body]], found none. Add one.", deck.file));
+  const std::vector<FilledBody> bodies = fill_bodies(deck);
+  check_overlap(deck, bodies);
+
+  Scene scene;
+  const double support = 2 * largest_smoothing_length(deck, bodies);
+  scene.skin = deck.particles.kernel_frame == "initial" ? 0 : deck.particles.skin * support; // nobody moves
+  scene.cutoff = support + scene.skin;
+  for (const FilledBody& b : bodies)
+    if (b.points.spacing > 0 && (scene.spacing == 0 || b.points.spacing < scene.spacing))
+      scene.spacing = b.points.spacing, scene.lattice = lattice_of(b);
+
+  scene.hex_diagonal = largest_diagonal(bodies);
+  check_sleep(deck, scene);
+  const Faces faces = collect_faces(deck, bodies, scene.cutoff);
+  const std::vector<TiedPoint> tied = tie_bodies(deck, bodies, scene.cutoff);
+  scene.materials = upload<MaterialTable>("materials", int(deck.materials.size()),
+                                          [&](auto& f, int m) { f(m) = make_material(deck.materials[m]); });
+  scene.particles = make_particles(deck, bodies, tied, faces);
+  scene.hexes = make_hex_mesh(deck, bodies, faces);
+  std::vector<int> hex_body;
+  for (const FilledBody& b : bodies) hex_body.insert(hex_body.end(), b.hexes.hex.size(), b.row);
+  scene.hex_body = upload("hex_body", hex_body);
+  scene.conversion = make_conversion(deck, bodies, faces, scene.hexes, scene.cutoff);
+  scene.tie = make_tie(tied, scene.hexes);
+  scene.tie.row = upload<IndexField>("tie.row", scene.tie.count,
+                                     [&](auto& f, int k) { f(k) = scene.particles.count + k; });
+  set_stress_shares(scene.hexes, stress_shares(bodies, scene.cutoff));
+  scene.image_planes = faces.planes;
+  scene.node_transforms = upload<TransformTable>("node_transforms", int(faces.transforms.size()),
+                                                 [&](auto& f, int t) { f(t) = faces.transforms[t]; });
+  scene.constraints = upload<ConstraintTable>("constraints", int(faces.constraints.size()),
+                                              [&](auto& f, int c) { f(c) = faces.constraints[c]; });
+  scene.held_rows = make_held_rows(faces);
+  if (deck.tool) {
+    add_tool(deck, bodies, scene);
+    check_tool_outside(deck, scene);
+  }
+  return scene;
+}
+
+} // namespace swarf

@@ -1,0 +1,200 @@
+// What a checkpoint keeps of a Simulation.
+#include "src/output/write_hdf5.hpp"
+#include "src/scene/convert_hexes.hpp"
+#include "src/simulation/simulation.hpp"
+#include "swarf/region/retire.hpp"
+#include "swarf/region/sleep.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swarf {
+namespace {
+
+// Sleeping rows keep what the others make again.
+bool is_kept(Life life, const Deck& deck) {
+  return life == Life::history || (life == Life::pair && deck.sleep.distance);
+}
+
+// Rows that a checkpoint keeps: images are made again.
+template <class Field>
+Field first_rows(const Field& field, int rows) {
+  if (int(field.extent(0)) <= rows) return field;
+  Field copy = Kokkos::create_mirror(ExecSpace::memory_space{}, field);
+  Kokkos::deep_copy(copy, field);
+  Kokkos::resize(copy, rows);
+  return copy;
+}
+
+template <class Field>
+bool all_within(const Field& field, int rows, long least, long most) {
+  const auto values = host_copy(field);
+  for (int i = 0; i < std::min(rows, int(values.extent(0))); ++i)
+    if (long(values(i)) < least || long(values(i)) > most) return false;
+  return true;
+}
+
+bool is_finite(const VectorField& field) {
+  const auto x = host_copy(field);
+  for (std::size_t i = 0; i < x.extent(0); ++i)
+    if (!std::isfinite(x(i, 0)) || !std::isfinite(x(i, 1)) || !std::isfinite(x(i, 2))) return false;
+  return true;
+}
+
+// A number for each row, and none twice.
+bool is_permutation(const IndexField& field, int rows) {
+  const auto values = host_copy(field);
+  std::vector<bool> seen(std::size_t(rows), false);
+  for (int i = 0; i < rows; ++i) {
+    if (values(i) < 0 || values(i) >= rows || seen[std::size_t(values(i))]) return false;
+    seen[std::size_t(values(i))] = true;
+  }
+  return true;
+}
+
+// What indexes something must stay within it, before anything is indexed by it.
+void check_indices(const CheckpointReader& in, const Scene& scene, const Deck& deck) {
+  const Particles& p = scene.particles;
+  const HexMesh& m = scene.hexes;
+  const int materials = int(deck.materials.size()) - 1, bodies = int(deck.bodies.size()) - 1;
+  const unsigned holds = (1u << std::min<std::size_t>(scene.constraints.extent(0), 28)) - 1;
+  const auto bits_are_known = [&](const View<unsigned*>& field, int rows) {
+    const auto bits = host_copy(field);
+    for (int i = 0; i < rows; ++i)
+      if ((bits(i) & ~(holds | held_bit | retired_bit | met_bit | follows_bit)) != 0) return false;
+    return true;
+  };
+  in.require(is_permutation(p.identity, p.stored), "particles/identity");
+  in.require(all_within(p.body, p.stored, 0, bodies), "particles/body");
+  in.require(all_within(p.points.material, p.stored, 0, materials), "particles/material");
+  in.require(all_within(m.points.material, m.points.count, 0, materials), "hexes/material");
+  in.require(all_within(m.active, m.points.count, 0, 2), "hexes/active");
+  in.require(bits_are_known(p.constraints, p.stored), "particles/constraints");
+  in.require(bits_are_known(m.constraints, m.nodes), "hexes/constraints");
+}
+
+} // namespace
+
+void Simulation::write_state(CheckpointWriter& out) const {
+  const Particles& p = model.particles;
+  const int rows = p.stored;
+  out.put("awake", p.count), out.put("awake_tied", p.tied), out.put("listed", p.listed);
+  out.put("rested_at", rested_at), out.put("rest_due", int(rest_due));
+  for_each_field(p, [&](const std::string& name, const auto& field, auto facts) {
+    if (is_kept(facts.life, deck)) out.put("particles/" + name, first_rows(field, rows));
+  });
+  for_each_field(model.hexes, [&](const std::string& name, const auto& field, auto facts) {
+    if (facts.life == Life::history) out.put("hexes/" + name, field);
+  });
+  if (model.tool.heat.cells > 0)
+    out.put("tool/temperature", model.tool.heat.temperature), out.put("tool/out", model.tool.heat.out);
+  out.put("lists/build_position", first_rows(lists.build_position, rows));
+  const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
+  const Real* values = reinterpret_cast<const Real*>(&load);
+  out.put("tool_load", std::vector<Real>(values, values + sizeof(ToolLoad) / sizeof(Real)));
+  out.put("time", now), out.put("step_size", step_size), out.put("steps", steps);
+  out.put("reference_step", contact_law.reference_step), out.put("next_check", next_check),
+      out.put("rebuild_count", rebuild_count);
+  out.put("particle_step", particle_step), out.put("pressure_time", pressure_time);
+  out.put("heat_step", heat_step), out.put("heat_time", heat_time);
+  out.put("shift_speed", shift_speed), out.put("way_since_shift", way_since_shift);
+  out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
+  out.put("status", value_of(status)), out.put("hex_status", value_of(hex_status));
+  out.put("initial_energy", initial_energy), out.put("tool_work", tool_work);
+  if (!model.conversion) return;
+  out.put("conversion_due", int(conversion_due)), out.put("looked_at", looked_at);
+  out.put("lost_in_conversion", lost_in_conversion);
+}
+
+void Simulation::read_state(const CheckpointReader& in) {
+  Particles& p = model.particles;
+  const auto read = [&](const std::string& name, auto& field, int rows) {
+    auto stored = std::decay_t<decltype(field)>();
+    in.get(name, stored, std::min(field.extent(0), std::size_t(rows)));
+    if (stored.extent(0) > 0) Kokkos::deep_copy(field, stored);
+  };
+  int awake = 0, tied = 0, listed = 0;
+  in.get("awake", awake), in.get("awake_tied", tied), in.get("listed", listed);
+  const int most = model.conversion ? std::numeric_limits<int>::max() / 2 : p.stored;
+  in.require(awake >= 0 && awake <= most, "awake"),
+      in.require(tied >= 0 && tied <= most - awake, "awake_tied");
+  in.require(listed >= awake + tied && listed <= most, "listed");
+  if (model.conversion) { // its fields take other rows than at the start
+    in.get("hexes/active", model.hexes.active, std::uint64_t(model.hexes.points.count));
+    in.require(all_within(model.hexes.active, model.hexes.points.count, 0, 2), "hexes/active");
+    in.require(restore_conversion(deck, model, {awake, tied}), "hexes/active");
+    ensure_rows(loads.blocks, std::size_t(p.count / ToolLoadSums::block + 1));
+    int due = 0;
+    in.get("conversion_due", due), in.get("looked_at", looked_at);
+    in.get("lost_in_conversion", lost_in_conversion);
+    conversion_due = due != 0;
+  }
+  p.count = awake, p.tied = tied, p.listed = listed, p.points.count = awake + tied;
+  in.require(listed <= p.stored, "listed");
+  in.get("rested_at", rested_at);
+  int rests = 0;
+  in.get("rest_due", rests);
+  rest_due = rests != 0;
+  // The lists are made again from the positions at which they were made, so that every sum keeps its order.
+  for_each_field(p, [&](const std::string& name, auto& field, auto facts) {
+    if (is_kept(facts.life, deck)) read("particles/" + name, field, p.stored);
+  });
+  for_each_field(model.hexes, [&](const std::string& name, auto& field, auto facts) {
+    if (facts.life == Life::history) read("hexes/" + name, field, int(field.extent(0)));
+  });
+  if (model.tool.heat.cells > 0) {
+    const int cells = model.tool.heat.cells;
+    read("tool/temperature", model.tool.heat.temperature, cells),
+        read("tool/out", model.tool.heat.out, cells);
+  }
+  check_indices(in, model, deck);
+  VectorField built;
+  in.get("lists/build_position", built, std::uint64_t(p.stored));
+  in.require(is_finite(built), "lists/build_position");
+  Kokkos::deep_copy(p.position, built);
+  make_images(p, lists, model.image_planes);
+  find_neighbors(lists, p);
+  release_freed_memory();
+  VectorField current;
+  in.get("particles/position", current, std::uint64_t(p.stored));
+  find_tied_rows(model.tie, p);
+  find_held_rows(model.held_rows, p);
+  const auto rows = std::make_pair(0, p.stored);
+  Kokkos::deep_copy(Kokkos::subview(p.position, rows, Kokkos::ALL), current);
+
+  std::vector<Real> values;
+  in.get("tool_load", values, sizeof(ToolLoad) / sizeof(Real));
+  ToolLoad load;
+  std::copy(values.begin(), values.end(), reinterpret_cast<Real*>(&load));
+  Kokkos::deep_copy(loads.total, load);
+  in.get("time", now), in.get("step_size", step_size), in.get("steps", steps);
+  in.get("next_check", next_check), in.get("rebuild_count", rebuild_count);
+  in.get("particle_step", particle_step), in.get("pressure_time", pressure_time);
+  in.get("heat_step", heat_step), in.get("heat_time", heat_time);
+  in.get("shift_speed", shift_speed), in.get("way_since_shift", way_since_shift);
+  in.get("steps_at_sample", steps_at_sample), in.get("reference_step", contact_law.reference_step);
+  check_numbers(in);
+  first_step = steps;
+  int due = 0;
+  in.get("lists_due", due);
+  lists_due = due != 0;
+  unsigned long long seen = no_fault; // of steps since the last check
+  in.get("status", seen), Kokkos::deep_copy(status, seen);
+  in.get("hex_status", seen), Kokkos::deep_copy(hex_status, seen);
+  in.get("initial_energy", initial_energy), in.get("tool_work", tool_work);
+}
+
+// Of a run that failed the state may hold anything; what counts or divides may not.
+void Simulation::check_numbers(const CheckpointReader& in) const {
+  const auto is_time = [](double t) { return std::isfinite(t) && t >= 0; };
+  in.require(is_time(now), "time"), in.require(is_time(step_size), "step_size");
+  in.require(steps >= 0, "steps"), in.require(rebuild_count >= 0, "rebuild_count");
+  in.require(next_check >= steps && next_check <= steps + most_unseen_steps, "next_check");
+  in.require(steps_at_sample >= 0 && steps_at_sample <= steps, "steps_at_sample");
+  in.require(is_time(particle_step), "particle_step"), in.require(is_time(pressure_time), "pressure_time");
+  in.require(is_time(heat_time), "heat_time"), in.require(heat_step >= 0, "heat_step");
+  in.require(!conducts || heat_time <= 1e6 * heat_step, "heat_step");
+  in.require(double(contact_law.reference_step) >= 0, "reference_step");
+}
+
+} // namespace swarf

@@ -1,0 +1,81 @@
+// Where the work may touch the tool, and how far heat gets from there.
+#include "src/tool/cells.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace swarf {
+namespace {
+
+// A body moves at its first velocity, at that of a driven face, or stays.
+std::vector<Point> velocities_of(const BodyDeck& body) {
+  std::vector<Triple> all{{0, 0, 0}, body.velocity};
+  for (const FaceDeck& face : body.faces) all.push_back(face.velocity);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<Point> points;
+  for (const Triple& v : all) points.emplace_back(v[0], v[1], v[2]);
+  return points;
+}
+
+struct Passage {
+  const ToolDeck* tool;
+  Shape shape;
+  Point velocity; // of the body
+  double end;     // s
+
+  // Least distance over the run: as long as the body is far, time may go on until it could have come.
+  double nearest(const Point& x, double tolerance) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (double t = 0;;) {
+      const ToolPose pose = tool_pose(*tool, t);
+      const Vector3 world =
+          pose.position + direction_to_world(make_frame(pose), {Real(x.x()), Real(x.y()), Real(x.z())});
+      const Point at = Point(double(world.x), double(world.y), double(world.z)) - t * velocity;
+      const double distance = shape.signed_distance(at);
+      least = std::min(least, std::max(0.0, distance));
+      const Point moving = Point(double(pose.velocity.x), double(pose.velocity.y), double(pose.velocity.z));
+      const double speed =
+          (moving - velocity).norm() + std::abs(double(pose.angular_velocity)) * std::hypot(x.x(), x.y());
+      if (least == 0 || t >= end || speed == 0) return least;
+      t = std::min(end, t + std::max({distance, tolerance, speed * end / 2000}) / speed);
+    }
+  }
+};
+
+// Of a body that is a periodic slice along z, in the tool's frame.
+std::optional<std::array<double, 2>> find_slice(const Deck& deck) {
+  for (const BodyDeck& body : deck.bodies)
+    for (const FaceDeck& face : body.faces)
+      if (face.kind == "periodic" && (face.face == "z_min" || face.face == "bottom")) {
+        const double low = body.origin[2] - deck.tool->position[2];
+        return {{low, low + (body.shape == "block" ? body.size[2] : body.height)}};
+      }
+  return std::nullopt;
+}
+
+} // namespace
+
+// 4 sqrt(alpha t): a step of temperature at the surface is felt there by half a per cent.
+HeatPlan plan_tool_heat(const Deck& deck, const std::vector<Shape>& shapes, double finest) {
+  HeatPlan plan;
+  plan.material = *find_material(deck, deck.tool->material);
+  const double diffusivity = plan.material.conductivity / plan.material.density / plan.material.specific_heat;
+  plan.finest = finest;
+  plan.reach = std::max(8 * finest, 4 * std::sqrt(diffusivity * end_time_of(deck)));
+  plan.held_beyond = deck.tool->held_beyond;
+  plan.slice = find_slice(deck);
+  std::vector<Passage> passages;
+  for (Shape shape : shapes) {
+    shape.inner = [least = shape.inner_least](double, double) { return least; }; // the exact one takes longer
+    for (const Point& v : velocities_of(*shape.body))
+      passages.push_back({&*deck.tool, shape, v, end_time_of(deck)});
+  }
+  plan.distance_to_work = [passages, finest](const Point& x) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Passage& p : passages) least = std::min(least, p.nearest(x, finest));
+    return least;
+  };
+  return plan;
+}
+
+} // namespace swarf
