@@ -25,7 +25,7 @@ void bench_hold_faces(benchmark::State& state) {
         if (i <= groups) rows.start(i) = i;
         if (i < groups) rows.host(i) = 4 * i, rows.held(i) = 4 * i + 1;
       });
-  for (auto _ : state) hold_faces(rows, motion, table, {{0, 0, 0}, Real(1), Real(0)});
+  for (auto _ : state) hold_faces(rows, motion, table, {Real(1), Real(0)});
   report(state, groups, {78, 24.0 * sizeof(Real) + 2 * sizeof(unsigned) + 6 * sizeof(int)});
 }
 BENCHMARK(bench_hold_faces)->Name("hold_faces")->Apply(all_sizes);

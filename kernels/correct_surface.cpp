@@ -8,11 +8,12 @@
 // Where to: a sum over the centres of cells becomes an integral of fourth order (Euler & Maclaurin) if those
 // of the outer row count with the value 1/24 of a spacing further out. The gradients of the neighbours are
 // too near as well, 0.754 for 1: (0.261 + 1/24) / 0.754 / 0.458 = 0.88. The derivative across the face is
-// left as it is: its strain finds itself from the stress, and the highest frequency stays that of the inside.
-// A linear field stays exact, so that rotation does. In the initial frame all this is done to F and dF/dt,
-// over the initial positions. Reads position or build_position, velocity_gradient, deformation_gradient,
-// volume, inverse_support, K in pair_stress, and in surface_shift how far neighbours lack; writes
-// velocity_gradient, deformation_gradient, K and surface_shift, rows [0, count); surface_term is its own.
+// left as it is: its strain finds itself from the stress, and the highest frequency of a flat face stays that
+// of the inside. A linear field stays exact, so that rotation does. In the initial frame all this is done to
+// F and dF/dt, over the initial positions. Reads position or build_position, velocity_gradient,
+// deformation_gradient, volume, inverse_support, K in pair_stress, and in surface_shift how far neighbours
+// lack; writes velocity_gradient, deformation_gradient, K and surface_shift, rows [0, count); surface_term is
+// its own.
 #include "copy_to_images.hpp"
 #include "correction.hpp"
 #include "swarf/particles/pair.hpp"
@@ -35,9 +36,7 @@ struct Sight {
       if (p.surface_shift(i, 0) != 0) return true;
     return false;
   }
-  SWARF_FN Vector3 shift(int i) const {
-    return {p.surface_shift(i, 1), p.surface_shift(i, 2), p.surface_shift(i, 3)};
-  }
+  SWARF_FN Vector3 shift(int i) const { return load_shift(p.surface_shift, i); }
   SWARF_FN Tensor3 K(int i) const { // in the initial frame K0
     const Tensor3 shown = load_tensor(p.pair_stress, i);
     return initial ? without_cofactor(shown, load_tensor(p.deformation_gradient, i)) : shown;

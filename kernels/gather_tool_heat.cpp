@@ -1,7 +1,7 @@
 // What points have brought to the tool since the last call, to its cells: T_c += sum of heat_to_tool / C_c
 // over the points of the cell in the order of their rows, whatever the number of threads: places in a cell's
 // list are dealt out in any order, by integers, and the list is then sorted. Reads tool_cell; reads and
-// zeroes heat_to_tool; writes temperature, first, source.
+// zeroes heat_to_tool; writes temperature, out, first, source.
 #include "swarf/kernels.hpp"
 
 namespace swarf {
@@ -15,14 +15,11 @@ void list_points(const ContactPoints& points, const ToolHeat& t, int rows) {
         // Atomic on an integer: a count is the same in any order.
         if (points.heat_to_tool(i) != 0) Kokkos::atomic_inc(&t.first(points.tool_cell(i)));
       });
-  int all = 0;
   Kokkos::parallel_scan(
-      "start_of_cell", Range(0, t.cells + 1),
-      KOKKOS_LAMBDA(const int c, int& sum, const bool is_last) {
+      "start_of_cell", Range(0, t.cells + 1), KOKKOS_LAMBDA(const int c, int& sum, const bool is_last) {
         sum += t.first(c);
         if (is_last) t.first(c) = sum; // one past the cell's last: the next launch counts down
-      },
-      all);
+      });
   Kokkos::parallel_for(
       "place_by_cell", Range(0, rows), KOKKOS_LAMBDA(const int i) {
         if (points.heat_to_tool(i) != 0)

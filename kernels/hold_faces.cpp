@@ -13,7 +13,7 @@ namespace {
 SWARF_FN void change_velocity(const Motion& m, const Kick& kick, int i, const Vector3& v) {
   const Real inertia = kick.mass_factor * m.mass(i);
   const Vector3 free = load_vector(m.velocity, i),
-                before = free - (kick.dt / inertia) * load_vector(m.force, i) - kick.dt * kick.gravity;
+                before = free - (kick.dt / inertia) * load_vector(m.force, i); // kick has booked gravity
   m.external_work(i) += Real(0.5) * inertia * dot(v - free, before + v);
   store_vector(m.velocity, i, v);
 }

@@ -1,4 +1,4 @@
-// f_i = V_i sum_j V_j [ (sigma_i K_i + sigma_j K_j) - q_ij 1 ] grad W_ij
+// f_i = V_i sum_j V_j [ (sigma_i + t_i) K_i + (sigma_j + t_j) K_j - q_ij 1 ] grad W_ij, t: surface_stress.cpp
 // The corrected gradient appears as in the velocity gradient, so that the forces do on any velocity field the
 // work that the stresses do (Bonet & Lok 1999): linear and angular momentum and energy are conserved.
 // q: the viscosity of Monaghan (1992), -alpha Z mu + beta rho mu^2, rho and Z = rho c of the scaled mass, mu
@@ -65,7 +65,8 @@ KOKKOS_FORCEINLINE_FUNCTION Pack beyond_linear(const Pack& xv, const Symmetric3O
 }
 
 // xv = x_ij . v_ij. The shock's part is zero for pairs that part; the weaker of v_ij and what is left of it
-// counts, so that it never feeds energy.
+// counts, so that it never feeds energy. The linear part may, of a pair whose remainder has the other sign
+// than xv; its sum over all pairs damps.
 KOKKOS_FORCEINLINE_FUNCTION PairViscosity pair_viscosity(const Cluster& i, const Particles& p, int j,
                                                          const Vector3Of<Pack>& x_ij, const Pack& xv,
                                                          const Pack& inverse_h, const Coefficients& c) {

@@ -6,8 +6,7 @@
 // particle_forces, with grad W(X_ij), then do the work of the stresses, V0 J sigma : L.
 // Reads position, velocity, volume (V0), inverse_support, build_position (X). Writes velocity_gradient, the
 // correction to pair_stress and heat_shape, deformation_gradient, how far neighbours lack to surface_shift,
-// rows [0, count + tied), and marks. Where J
-// <= 0 the density becomes negative: update_stress reports it.
+// rows [0, count + tied), and marks. Where J <= 0 the density becomes negative: update_stress reports it.
 #include "correction.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/surface.hpp"

@@ -1,8 +1,9 @@
 // What the contact has brought to nodes becomes temperature:
 //   dT_a = Q_a / C_a,  T_a += dT_a,  T_e += mean of dT_a in each hex,  T_k += sum_a N_a dT_a of tied
 //   particles.
-// The lumped C_a is the eighths of the hexes' capacities and N_a of the tied particles': heat is kept to
-// round-off, and hexes that do not conduct are heated without a diffusion of their own. Reads heat_capacity;
+// The lumped C_a is that of an eighth of each hex: heat is kept to round-off, with tied particles as nearly
+// as they fill the hexes that they stand for, and hexes that do not conduct are heated without a diffusion of
+// their own. Reads heat_capacity;
 // reads and zeroes contact_heat; writes nodal_heat; adds to the temperatures.
 #include "swarf/kernels.hpp"
 #include "swarf/material/heat.hpp"
@@ -18,7 +19,7 @@ void spread_contact_heat(const Tie& tie, const Particles& p, const HexMesh& m,
   const bool conducts = m.nodal_temperature.extent(0) > 0;
   Kokkos::parallel_for(
       "spread_contact_heat", Range(0, m.nodes), KOKKOS_LAMBDA(const int a) {
-        if (m.nodal_heat(a) == 0) return; // a node that has lost its hexes has no capacity
+        if (m.nodal_heat(a) == 0) return; // nodes without hexes among them
         m.nodal_heat(a) /= m.heat_capacity(a);
         if (conducts) m.nodal_temperature(a) += m.nodal_heat(a);
       });

@@ -1,6 +1,6 @@
 // The ledger of heat: what is stored where, above a reference, and what plastic work has made. Once per
 // sample. Reads temperature, mass, plastic_work, and what the contact has brought and no temperature shows
-// yet.
+// yet. What tied particles have made since the last conduction is in plastic only.
 #include "block_sum.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/material/heat.hpp"
@@ -41,7 +41,8 @@ HeatSums sum_heat(const HexMesh& m, const MaterialTable& materials, Real referen
       });
   sums.add(block_sum<HeatSums>(
       "sum_heat_of_nodes", m.nodes, KOKKOS_LAMBDA(int a, HeatSums& s) {
-        if (nodes_hold) s.work += m.heat_capacity(a) * (m.nodal_temperature(a) - reference);
+        if (nodes_hold && m.mass(a) > 0) // else its hexes have become particles
+          s.work += m.heat_capacity(a) * (m.nodal_temperature(a) - reference);
         s.work += m.contact_heat(a);
         if (brings) s.tool += m.heat_to_tool(a);
       }));

@@ -13,14 +13,11 @@
 namespace swarf {
 namespace {
 
-SWARF_FN Vector3 load_shift(const Particles& p, int i) {
-  return {p.surface_shift(i, 1), p.surface_shift(i, 2), p.surface_shift(i, 3)};
-}
 SWARF_FN Tensor3 stress_along_surface(const Particles& p, int i) {
   Tensor3 stress = to_tensor(load_symmetric(p.points.stress, i));
   if (p.deformation_gradient.extent(0) > 0)
     stress = multiply(stress, cofactor(load_tensor(p.deformation_gradient, i)));
-  return along_surface(stress, load_shift(p, i));
+  return along_surface(stress, load_shift(p.surface_shift, i));
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> sum_stresses(const Particles& p, const Neighbors& n, int cluster,
@@ -34,7 +31,7 @@ KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> sum_stresses(const Particles& p, con
     if (p.surface_shift(i, 0) == 0) return;
     const auto x_ki = x_k - broadcast_vector(from, i);
     const Pack slope = pair_slope(p.volume(i), x_ki, mean_inverse_h(inverse_support_k, p.inverse_support(i)));
-    const Vector3 s = load_shift(p, i);
+    const Vector3 s = load_shift(p.surface_shift, i);
     const Pack share = slope * (Pack(-s.x) * x_ki.x + Pack(-s.y) * x_ki.y + Pack(-s.z) * x_ki.z);
     const Tensor3 T = stress_along_surface(p, i);
     t.xx += share * Pack(T.xx), t.xy += share * Pack(T.xy), t.xz += share * Pack(T.xz);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 constexpr Real round_off = Kokkos::Experimental::epsilon_v<Real> * Real(1e3);
 constexpr Real spacing = Real(2.5e-6);
@@ -84,4 +85,5 @@ TEST(CorrectSurface, LeavesTheDerivativeAcrossAlone) {
     }
 }
 
+} // namespace
 } // namespace swarf::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 TEST(EvolveSmoothingLength, FollowsTheCubeRootOfTheVolume) {
   ParticleBlock b = particle_block(3, 3, 3, Real(1e-3));
@@ -22,4 +23,5 @@ TEST(EvolveSmoothingLength, FollowsTheCubeRootOfTheVolume) {
   }
 }
 
+} // namespace
 } // namespace swarf::test

@@ -3,6 +3,7 @@
 #include <set>
 
 namespace swarf::test {
+namespace {
 
 using Pairs = std::set<std::pair<int, int>>;
 
@@ -109,4 +110,5 @@ TEST(FindNeighbors, SortingSortedParticlesChangesNothing) {
   for (std::size_t k = 0; k < std::size_t(start(b.neighbors.clusters)); ++k) ASSERT_EQ(list(k), again(k));
 }
 
+} // namespace
 } // namespace swarf::test

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 constexpr Real round_off = Kokkos::Experimental::epsilon_v<Real> * 100;
 
@@ -41,7 +42,7 @@ Lever make_lever(const Vector3& face_velocity) {
 
 void step(const Lever& l, Real mass_factor, Real dt) {
   kick(l.motion, l.table, {0, 0, 0}, mass_factor, dt);
-  hold_faces(l.rows, l.motion, l.table, {{0, 0, 0}, mass_factor, dt});
+  hold_faces(l.rows, l.motion, l.table, {mass_factor, dt});
 }
 
 // (m_0 + c^2 (m_1 + m_2)) dv_0/dt = f_0 + c (f_1 + f_2); the fixed face does no work.
@@ -108,4 +109,5 @@ TEST(HoldFaces, OfASleepingHostTheRowStands) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(norm(get_row(l.motion.velocity, i)), 0);
 }
 
+} // namespace
 } // namespace swarf::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 constexpr Real round_off = Kokkos::Experimental::epsilon_v<Real> * 100;
 
@@ -106,4 +107,5 @@ TEST(Integrate, OscillatorEnergyIsOfSecondOrder) {
   EXPECT_NEAR(fine / (half * half), 1, 0.01);
 }
 
+} // namespace
 } // namespace swarf::test

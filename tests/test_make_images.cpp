@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 ImagePlanes periodic(int axis, Real length) {
   const Vector3 n{Real(axis == 0), Real(axis == 1), Real(axis == 2)};
@@ -127,4 +128,5 @@ TEST(WrapPeriodic, NamesAParticleThatIsLost) {
   EXPECT_EQ(unsigned(host_copy(status)()), 7u);
 }
 
+} // namespace
 } // namespace swarf::test

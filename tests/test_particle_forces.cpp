@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 constexpr Real round_off = Kokkos::Experimental::epsilon_v<Real>;
 
@@ -132,4 +133,5 @@ TEST(ParticleForces, ViscosityLeavesALinearFieldAlone) {
   EXPECT_LT(std::abs(power(false)), 10 * round_off * resisted);
 }
 
+} // namespace
 } // namespace swarf::test

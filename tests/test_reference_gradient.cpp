@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 constexpr Real round_off = Kokkos::Experimental::epsilon_v<Real>;
 const Tensor3 large_shear{1.2, 0.9, -0.3, 0.1, 0.7, 0.2, -0.4, 0.3, 1.5};
@@ -195,4 +196,5 @@ TEST(ReferenceFrameForces, ResistWhatNoGradientSees) {
   }
 }
 
+} // namespace
 } // namespace swarf::test

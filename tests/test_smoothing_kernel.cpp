@@ -4,6 +4,7 @@
 #include <limits>
 
 namespace swarf {
+namespace {
 
 // 4 pi int W r^2 dr = 1, by Simpson's rule, exact for the piecewise polynomial of degree 5.
 TEST(SmoothingKernel, IsNormalised) {
@@ -67,4 +68,5 @@ TEST(Pack, ReciprocalAndInverseSqrtAreExactToRoundOff) {
   }
 }
 
+} // namespace
 } // namespace swarf

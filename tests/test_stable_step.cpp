@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 const double wave_modulus = 1e11 + 4.0 / 3 * 8e10,
              wave_speed = std::sqrt(wave_modulus / 7800); // of elastic_steel
@@ -146,4 +147,5 @@ TEST(StableStep, OfNothingLimitsNothing) {
   EXPECT_EQ(stable_step(HexMesh{}, MaterialTable(), {}).limiter, -1);
 }
 
+} // namespace
 } // namespace swarf::test

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 // A block stretched by 1 % along each axis: density falls by 1.01^3, at free surfaces too.
 TEST(SumDensity, FollowsAUniformStretch) {
@@ -37,4 +38,5 @@ TEST(SumDensity, OfTheInitialLatticeIsTheMaterials) {
   for (int i = 0; i < b.particles.count; ++i) EXPECT_EQ(density(i), Real(7800));
 }
 
+} // namespace
 } // namespace swarf::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace swarf::test {
+namespace {
 
 template <class Field, class Value>
 void put(const Field& field, const std::vector<Value>& values) {
@@ -69,4 +70,5 @@ TEST(SumPoints, OfManyBlocks) {
   EXPECT_EQ(parts.external, sum);
 }
 
+} // namespace
 } // namespace swarf::test

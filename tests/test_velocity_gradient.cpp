@@ -4,6 +4,7 @@
 #include <random>
 
 namespace swarf::test {
+namespace {
 
 constexpr Real round_off = Kokkos::Experimental::epsilon_v<Real> * Real(1e3);
 
@@ -131,4 +132,5 @@ TEST(VelocityGradient, MarksTheRowsThatAnyLaneHasWithinItsSupport) {
   }
 }
 
+} // namespace
 } // namespace swarf::test

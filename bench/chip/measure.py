@@ -57,8 +57,8 @@ def measured(deck, folder, spacing):
     share = 40e-6 / SCENE.uncut(deck, 0)  # the force of a cut is nearly in proportion to its thickness
     for name, values in zip(("Fc", "Ff"), forces.cutting_forces(deck, table)):
         row[name] = share * forces.mean_and_error(table["time"], values, begin, end, False)[0]
-    for name, key in (("stabilisers", "hourglass_work"), ("shifting_work", "shifting_work")):
-        row[name] = energies[key] / energies["external_work"]
+    row["stabilisers"] = (energies["hourglass_work"] + energies["viscous_work"]) / energies["external_work"]
+    row["shifting_work"] = energies["shifting_work"] / energies["external_work"]
     row["residual"], row["seconds"] = energies["worst_residual_over_external"], summary["cost"]["cpu_seconds"]
     return row
 

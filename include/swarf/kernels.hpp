@@ -138,7 +138,6 @@ struct Motion { // a set of points that Newton's law moves: particles or nodes
 void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
 void find_held_rows(const HeldRows&, const Particles&); // held.row
 struct Kick {                                           // that was the last
-  Vector3 gravity;
   Real mass_factor, dt;
 };
 void hold_faces(const HeldRows&, const Motion&, const ConstraintTable&, const Kick&);

@@ -11,7 +11,9 @@ constexpr double most_steps = 1e10;     // at 1 ms a step four months, and few s
 constexpr double most_heat_steps = 1e3; // in a step: all time would go there
 
 const MaterialDeck& fastest_conductor(const Deck& deck) {
-  const auto diffusivity = [](const MaterialDeck& m) { return m.conductivity / m.density / m.specific_heat; };
+  const auto diffusivity = [](const MaterialDeck& m) { // the tool takes steps of its own
+    return m.law == "rigid" ? 0 : m.conductivity / m.density / m.specific_heat;
+  };
   return *std::max_element(
       deck.materials.begin(), deck.materials.end(),
       [&](const MaterialDeck& a, const MaterialDeck& b) { return diffusivity(a) < diffusivity(b); });

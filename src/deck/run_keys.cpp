@@ -32,8 +32,7 @@ const Keys<ParticlesDeck>& particles_keys() {
        "energy"},
       {"viscosity_linear", &P::viscosity_linear, D::none, Range{0, 10}, "0.3", always,
        "artificial viscosity, share of density * wave speed * h: damps motion that the velocity gradient "
-       "does "
-       "not see; a linear velocity field feels nothing"},
+       "does not see; a linear velocity field feels nothing"},
       {"viscosity_quadratic", &P::viscosity_quadratic, D::none, Range{0, 10}, "1.0", always,
        "artificial viscosity in shocks"},
       {"hourglass_stiffness", &P::hourglass_stiffness, D::none, Range{0, 10}, "0.3", always,

@@ -9,7 +9,9 @@ std::string restart_text(const Deck& deck, const Scene& scene) {
   physics.title.clear(), physics.picked.reset(), physics.windows.reset();
   physics.output = OutputDeck{};
   physics.output.force_scale = deck.output.force_scale; // of rows that are written already
-  physics.run.end_time.reset(), physics.run.end_immersion.reset(), physics.run.accuracy.reset();
+  physics.run.accuracy.reset();
+  if (!deck.tool || deck.tool->material.empty()) // else the tool's cells go as far as heat gets by the end
+    physics.run.end_time.reset(), physics.run.end_immersion.reset();
   physics.run.threads = 0, physics.run.energy_tolerance = physics.run.energy_limit = 0;
   if (physics.tool) physics.tool->file.clear();
   std::string text = resolved_deck(physics);

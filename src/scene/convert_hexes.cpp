@@ -64,7 +64,7 @@ void set_mesh(const Deck& deck, Scene& scene, const ConversionLayout& layout) {
   Kokkos::deep_copy(m.constraints, bits), Kokkos::deep_copy(m.velocity, v);
   Kokkos::deep_copy(m.friction_force, friction), Kokkos::deep_copy(m.contact_force, contact);
   Kokkos::deep_copy(m.contact_energy, energy);
-  const auto capacity = host_copy(m.heat_capacity); // of a node without hexes: any, it gets no heat
+  const auto capacity = host_copy(m.heat_capacity); // of a node without hexes: as it was
   for (std::size_t e = 0; e < of.hex.size(); ++e)
     for (int node : of.hex[e])
       if (const double mass = layout.node_mass[std::size_t(node)]; mass > 0) {

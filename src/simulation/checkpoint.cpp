@@ -68,6 +68,9 @@ void check_indices(const CheckpointReader& in, const Scene& scene, const Deck& d
   in.require(all_within(p.body, p.stored, 0, bodies), "particles/body");
   in.require(all_within(p.points.material, p.stored, 0, materials), "particles/material");
   in.require(all_within(m.points.material, m.points.count, 0, materials), "hexes/material");
+  const int cells = scene.tool.heat.cells; // without any, there are no rows
+  in.require(all_within(p.tool_cell, int(p.tool_cell.extent(0)), 0, cells - 1), "particles/tool_cell");
+  in.require(all_within(m.tool_cell, int(m.tool_cell.extent(0)), 0, cells - 1), "hexes/tool_cell");
   in.require(all_within(m.active, m.points.count, 0, 2), "hexes/active");
   in.require(bits_are_known(p.constraints, p.stored), "particles/constraints");
   in.require(bits_are_known(m.constraints, m.nodes), "hexes/constraints");

@@ -43,6 +43,7 @@ void Simulation::convert() {
   timer.mark("conversion");
   if (chosen.empty()) return;
   const double before = energy_in_contact();
+  take_contact_heat(); // while its nodes have a capacity
   convert_hexes(deck, model, chosen);
   others_sleep = true;
   lost_in_conversion += before - energy_in_contact();

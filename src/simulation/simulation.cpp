@@ -66,8 +66,7 @@ void Simulation::kick_half() {
   const Real half = Real(0.5 * step_size);
   kick(motion_of(model.particles), model.constraints, gravity, Real(mass_factor), half);
   kick(motion_of(model.hexes), model.constraints, gravity, Real(mass_factor), half);
-  hold_faces(model.held_rows, motion_of(model.particles), model.constraints,
-             {gravity, Real(mass_factor), half});
+  hold_faces(model.held_rows, motion_of(model.particles), model.constraints, {Real(mass_factor), half});
   couple_nodes(model.hexes, model.node_transforms, false);
 }
 
@@ -147,8 +146,8 @@ void Simulation::compute_forces() {
   const Real dt = Real(step_size);
   if (deck.particles.hourglass_stiffness > 0 && !particle_method.initial_frame)
     evolve_hourglass(model.particles, model.materials, dt);
-  if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles);
   if (has_surfaces()) surface_stress(model.particles, lists, model.image_planes);
+  if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles);
   prepare_pair_state(model.particles, model.materials, particle_method);
   update_image_state(model.particles, lists, model.image_planes);
   timer.mark("tie and images");
@@ -175,6 +174,7 @@ void Simulation::press_tool() {
 }
 
 void Simulation::take_contact_heat() {
+  if (!deck.tool) return;
   spread_contact_heat(model.tie, model.particles, model.hexes, model.node_transforms);
   for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)}) {
     ensure_rows(model.tool.heat.source, points.heat_to_tool.extent(0));

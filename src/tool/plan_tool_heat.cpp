@@ -42,14 +42,19 @@ struct Passage {
   }
 };
 
-// Of a body that is a periodic slice along z, in the tool's frame.
+// Of a body that goes on along z beyond both its ends, in the tool's frame.
 std::optional<std::array<double, 2>> find_slice(const Deck& deck) {
+  const auto goes_on = [](const BodyDeck& body, const std::string& name, const std::string& name_of_ring) {
+    return std::any_of(body.faces.begin(), body.faces.end(), [&](const FaceDeck& face) {
+      return (face.face == name || face.face == name_of_ring) &&
+             (face.kind == "periodic" || face.kind == "symmetric");
+    });
+  };
   for (const BodyDeck& body : deck.bodies)
-    for (const FaceDeck& face : body.faces)
-      if (face.kind == "periodic" && (face.face == "z_min" || face.face == "bottom")) {
-        const double low = body.origin[2] - deck.tool->position[2];
-        return {{low, low + (body.shape == "block" ? body.size[2] : body.height)}};
-      }
+    if (goes_on(body, "z_min", "bottom") && goes_on(body, "z_max", "top")) {
+      const double low = body.origin[2] - deck.tool->position[2];
+      return {{low, low + (body.shape == "block" ? body.size[2] : body.height)}};
+    }
   return std::nullopt;
 }
 

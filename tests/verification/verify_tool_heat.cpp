@@ -81,6 +81,7 @@ Outcome run(const Meeting& m) {
     simulation.step();
     if (simulation.steps_to_check() <= 0) simulation.check();
   }
+  simulation.check(); // heats and works of one moment
   const HistorySample s = simulation.sample();
   const Scene& scene = simulation.scene();
   const double area = 16 * m.spacing * m.spacing;

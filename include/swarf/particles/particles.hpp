@@ -36,8 +36,8 @@ struct Particles {
       hourglass_displacement; // m, what neighbours' gradients do not explain; 0 rows without stiffness
 
   // Of particles that lack neighbours (correct_surface.cpp); 0 rows without correction.
-  View<Real* [4]> surface_shift; // sum_j V_j s~.grad W_ij, 0 inside, and s~ (-)
-  TensorField surface_term;      // what they add to L, 1/s; then, to the stress in the forces, Pa
+  View<Real* [4]> surface_shift; // sum_j V_j s~.grad W_ij (-), 0 inside, and s~, m
+  TensorField surface_term; // what they add to L, 1/s (or F, dF/dt); then, to the stress in the forces, Pa
 
   ScalarField heat;    // J that conduction brought last, rows [0, count + tied); 0 rows without it
   ScalarField damping; // 1/s, where sleep begins (sleep.hpp), rows [0, count); 0 rows without it
@@ -85,7 +85,7 @@ struct Particles {
           Facts<scalar_and_vector, pair, in_diffuse_pressure, with_pressure_diffusion>());
     visit("surface_shift", p.surface_shift,
           Facts<scalar_and_vector, pair, in_surface_stress, with_surface_gradient>());
-    visit("surface_term", p.surface_term, Facts<with_surface_gradient>());
+    visit("surface_term", p.surface_term, Facts<tensor, with_surface_gradient>());
     visit("hourglass_displacement", p.hourglass_displacement,
           Facts<vector, history, before_forces, with_hourglass_stiffness, transported>());
     visit("hourglass_rate", p.hourglass_rate, Facts<vector, history, with_hourglass_stiffness>());

@@ -5,9 +5,10 @@
 namespace swarf {
 
 // Cells as a graph: whatever their shape, one gather conducts between them. Cells cut by the surface have the
-// conductance of the open part of their faces between full-cell centres, which keeps linear fields exact
-// (Ng, Min & Gibou, J. Comput. Phys. 228 (2009) 8807). A tree finds the cell of a point: node n has children
-// tree(n) .. tree(n) + 3 or 7, the one of low coordinates first, or is a leaf of cell -1 - tree(n).
+// conductance of the open part of their faces between full-cell centres (Ng, Min & Gibou, J. Comput. Phys.
+// 228 (2009) 8807): exact for linear fields between whole cells of one size. A tree finds the cell of a
+// point: node n has children tree(n) .. tree(n) + 3 or 7, the one of low coordinates first, or is a leaf of
+// cell -1 - tree(n).
 struct ToolHeat {
   int cells = 0; // 0: the tool does not conduct
   Real conductivity = 0, start_temperature = 0;
