@@ -59,7 +59,7 @@ TEST(Mutations, of_decks) {
   Chance chance(1);
   Tally tally;
   int built = 0;
-  for (int k = 0; k < 600; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     std::string text = small_deck;
     for (std::size_t n = 1 + chance.below(2); n > 0; --n) text = spoil(text.empty() ? " " : text, chance);
     SCOPED_TRACE(k);
