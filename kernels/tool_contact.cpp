@@ -6,8 +6,8 @@
 // gap, area, material; writes contact_force, friction_force, contact_energy, tool_cell; adds to force,
 // friction_work, temperature or heat, heat_to_tool.
 #include "swarf/kernels.hpp"
+#include "swarf/material/flow_law.hpp"
 #include "swarf/material/heat.hpp"
-#include "swarf/material/johnson_cook.hpp"
 #include "swarf/tool/signed_distance.hpp"
 
 namespace swarf {

@@ -144,7 +144,7 @@ TEST(HexForces, HourglassControlSeesHourglassModesOnly) {
 // sigma_y.)
 TEST(HexForces, HourglassStressRelaxesInPlasticFlow) {
   Material mat = test::elastic_solid(2, 1, 1);
-  mat.law = FlowLaw::linear_hardening, mat.yield_stress = Real(1e-3);
+  mat.law = FlowLaw::linear_hardening, mat.linear_hardening.yield_stress = Real(1e-3);
   const double rate = 1, dt = 1e-6, q = 1e-3, stiffness = 0.7, relaxation_time = 1e-3 / 3;
   const Symmetric3 yielding{0, 0, 0, Real(1e-3 / std::sqrt(3.0)), 0, 0};
   HourglassStep step{true, Real(stiffness), identity3(), share_kept(mat, yielding, Real(rate * dt)),

@@ -14,7 +14,7 @@ namespace {
 constexpr bool is_double = sizeof(Real) == 8;
 
 MaterialState make_state(const Material& mat) {
-  return {{0, 0, 0, 0, 0, 0}, mat.density, 0, 0, mat.reference_temperature, 0};
+  return {{0, 0, 0, 0, 0, 0}, mat.density, 0, 0, mat.johnson_cook.reference_temperature, 0};
 }
 
 // L at the step's end whose midpoint strain is exactly diag(x, y, z).
@@ -131,7 +131,7 @@ TEST(StressUpdate, RigidRotationThrough360DegreesKeepsTheStress) {
 // sigma_xx = -K e - 2 q / 3; density and works as well.
 TEST(StressUpdate, LinearHardeningMatchesTheClosedFormOfUniaxialStrain) {
   Material mat = test::elastic_solid(Real(140e9), Real(47e9), 8930);
-  mat.law = FlowLaw::linear_hardening, mat.yield_stress = Real(400e6), mat.hardening_modulus = Real(100e6);
+  mat.law = FlowLaw::linear_hardening, mat.linear_hardening = {Real(400e6), Real(100e6)};
   mat.taylor_quinney = 1, mat.specific_heat = 383;
   MaterialState s = make_state(mat);
   const int steps = 100;
@@ -149,7 +149,7 @@ TEST(StressUpdate, LinearHardeningMatchesTheClosedFormOfUniaxialStrain) {
   EXPECT_NEAR(s.stress.xx / (-K * e - 2. / 3 * (Y + H * p)), 1, tight);
   EXPECT_NEAR(s.stress.yy / (-K * e + (Y + H * p) / 3), 1, tight);
   EXPECT_NEAR(s.density / (8930 * std::pow((1 + de / 2) / (1 - de / 2), steps)), 1, is_double ? 1e-12 : 1e-4);
-  EXPECT_NEAR(heat, s.temperature - mat.reference_temperature, is_double ? 1e-10 : 1e-2);
+  EXPECT_NEAR(heat, s.temperature - mat.johnson_cook.reference_temperature, is_double ? 1e-10 : 1e-2);
 }
 
 // Elastic work of confined compression, per volume of the undeformed solid: M e^2 / 2, e small.
@@ -168,11 +168,10 @@ TEST(StressUpdate, InternalWorkIsTheElasticEnergy) {
 TEST(ReturnMapping, ConvergesQuadratically) {
   Material mat = test::ti64();
   mat.shear_modulus = Real(1e9); // soft: hardening and rate count, so that there is a history to look at
-  MaterialState start = make_state(mat);
-  start.equivalent_plastic_strain = Real(0.01);
   std::vector<double> residual;
   for (int k = 1; k < 20; ++k) {
-    const ReturnMapping r = return_radially(mat, Real(2.5e9), start, Real(1e-4), 1, k);
+    const ReturnMapping r = return_radially(mat.johnson_cook, 3 * mat.shear_modulus, Real(2.5e9), Real(0.01),
+                                            Real(1e-4), Real(1), k);
     residual.push_back(std::abs(r.residual / r.flow_stress));
     if (r.converged) break;
   }
@@ -197,17 +196,17 @@ TEST(ReturnMapping, ConvergesFromEveryStart) {
   long total = 0;
   const int trials = 100000;
   for (int k = 0; k < trials; ++k) {
-    mat.n = Real((is_double ? 0.1 : 0.25) + uniform(random)), mat.m = Real(0.5 + uniform(random));
-    MaterialState start = make_state(mat);
-    start.equivalent_plastic_strain = k % 3 ? Real(std::pow(10., -12 + 13 * uniform(random))) : Real(0);
-    const Real softening = thermal_softening(mat, Real(2000 * uniform(random)));
+    mat.johnson_cook.n = Real((is_double ? 0.1 : 0.25) + uniform(random)),
+    mat.johnson_cook.m = Real(0.5 + uniform(random));
+    const JohnsonCook& law = mat.johnson_cook;
+    const Real strain = k % 3 ? Real(std::pow(10., -12 + 13 * uniform(random))) : Real(0);
+    const Real softening = law.thermal(Real(2000 * uniform(random)));
     const Real dt = Real(std::pow(10., -10 + 12 * uniform(random)));
-    const Real yield = flow_stress(mat, start.equivalent_plastic_strain, 0, dt, softening).value;
+    const Real yield = law.stress(strain, 0, dt, softening).value;
     const Real q = softening > 0 ? yield * Real(1 + std::pow(10., -9 + 11 * uniform(random))) : Real(1e9);
     if (!(q > yield)) continue;
-    const ReturnMapping r = return_radially(mat, q, start, dt, softening);
-    ASSERT_TRUE(r.converged) << "eps " << start.equivalent_plastic_strain << " q/yield " << q / yield
-                             << " dt " << dt;
+    const ReturnMapping r = return_radially(law, 3 * mat.shear_modulus, q, strain, dt, softening);
+    ASSERT_TRUE(r.converged) << "eps " << strain << " q/yield " << q / yield << " dt " << dt;
     ASSERT_GE(r.increment, 0);
     most = std::max(most, r.iterations), total += r.iterations;
   }
@@ -218,26 +217,28 @@ TEST(ReturnMapping, ConvergesFromEveryStart) {
 
 TEST(ReturnMapping, SaysWhereItDidNotConverge) {
   const Material mat = test::ti64();
-  EXPECT_FALSE(return_radially(mat, Real(3e9), make_state(mat), Real(1e-6), 1, 1).converged);
+  EXPECT_FALSE(return_radially(mat.johnson_cook, 3 * mat.shear_modulus, Real(3e9), 0, Real(1e-6), Real(1), 1)
+                   .converged);
 }
 
 // The share of a step above the reference rate grows from nothing: no jump of the stress with the step's
 // length.
 TEST(ReturnMapping, IsContinuousAtTheReferenceRate) {
   const Material mat = test::ti64();
-  const MaterialState start = make_state(mat);
-  const Real q = Real(1.05e9);
-  const Real rate_dt = return_radially(mat, q, start, 1, 1).increment; // dt at which the rate is 1/s
+  const auto after = [&](Real dt) {
+    return return_radially(mat.johnson_cook, 3 * mat.shear_modulus, Real(1.05e9), 0, dt, Real(1));
+  };
+  const Real rate_dt = after(1).increment; // dt at which the rate is 1/s
   const Real step = is_double ? Real(1e-6) : Real(1e-3);
-  const Real slower = return_radially(mat, q, start, rate_dt * (1 + step), 1).flow_stress;
-  const Real faster = return_radially(mat, q, start, rate_dt * (1 - step), 1).flow_stress;
-  EXPECT_NEAR(faster / slower, 1, mat.C * step + return_tolerance * 4);
+  const Real slower = after(rate_dt * (1 + step)).flow_stress;
+  const Real faster = after(rate_dt * (1 - step)).flow_stress;
+  EXPECT_NEAR(faster / slower, 1, mat.johnson_cook.C * step + return_tolerance * 4);
 }
 
 TEST(StressUpdate, MoltenPointKeepsOnlyPressure) {
   const Material mat = test::ti64();
   MaterialState s = make_state(mat);
-  s.temperature = mat.melt_temperature;
+  s.temperature = mat.johnson_cook.melt_temperature;
   s.stress = {Real(-1e8), Real(-3e8), Real(-2e8), Real(5e7), 0, 0};
   const StressUpdate u = update_point(mat, s, {0, 0, 0, 0, 0, 0, 0, 0, 0}, Real(1e-8));
   EXPECT_LT(von_mises(u.state.stress), 1e-6 * 2e8);

@@ -2,7 +2,7 @@
 #include "support/materials.hpp"
 #include "support/points.hpp"
 #include "swarf/kernels.hpp"
-#include "swarf/material/johnson_cook.hpp"
+#include "swarf/material/flow_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -275,10 +275,13 @@ TEST(ContactLaw, FrictionIsNoMoreThanTheMaterialCarries) {
   const Material mat = test::ti64();
   ContactLaw law;
   law.friction = Real(0.5), law.shear_limit = Real(1e12);
-  const Real warm = Real(900), melt = mat.melt_temperature, strain = Real(0.2), area = Real(1e-12);
-  const Real yield =
-      (mat.A + mat.B * Kokkos::pow(strain, mat.n)) * (1 + mat.C * Kokkos::log(Real(1e4))) *
-      (1 - Kokkos::pow((warm - mat.reference_temperature) / (melt - mat.reference_temperature), mat.m));
+  const Real warm = Real(900), melt = mat.johnson_cook.melt_temperature, strain = Real(0.2),
+             area = Real(1e-12);
+  const Real yield = (mat.johnson_cook.A + mat.johnson_cook.B * Kokkos::pow(strain, mat.johnson_cook.n)) *
+                     (1 + mat.johnson_cook.C * Kokkos::log(Real(1e4))) *
+                     (1 - Kokkos::pow((warm - mat.johnson_cook.reference_temperature) /
+                                          (melt - mat.johnson_cook.reference_temperature),
+                                      mat.johnson_cook.m));
   ContactStep step{1, {0, 0, 1}, {-10, 0, 0}, {0, 0, 0}, shear_strength(mat, strain, Real(1e4), warm)};
   const Real friction = respond_to_contact(step, law, 1000, area).force.x;
   EXPECT_NEAR(friction / (yield / std::sqrt(Real(3)) * area), 1, test::round_off);
@@ -298,7 +301,7 @@ TEST(ToolContact, MoltenPointsDoNotRub) {
     s.points.plastic_strain = ScalarField("plastic_strain", 1);
     s.points.plastic_strain_rate = ScalarField("plastic_strain_rate", 1);
     s.points.temperature = ScalarField("temperature", 1), s.points.material = IndexField("material", 1);
-    Kokkos::deep_copy(s.points.temperature, molten ? test::ti64().melt_temperature : Real(298));
+    Kokkos::deep_copy(s.points.temperature, molten ? test::ti64().johnson_cook.melt_temperature : Real(298));
     s.run(0.1, dt, at_rest);
     EXPECT_NEAR(test::get_row(s.points.velocity, 0).x, molten ? 1 : 0.5, 1e-3);
   }

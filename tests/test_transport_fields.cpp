@@ -390,7 +390,7 @@ TEST(TransportFields, LeavesAStateThatTheMaterialBringsBack) {
   ParticleBlock b = disordered_block(n);
   const Particles& p = b.particles;
   Material mat = ti64();
-  mat.C = 0, mat.taylor_quinney = 0;
+  mat.johnson_cook.C = 0, mat.taylor_quinney = 0;
   b.materials = make_material_table({mat});
   const auto flow = [&](double strain, double T) {
     const double hot = std::max(0.0, (T - 298.15) / (1878 - 298.15));

@@ -48,7 +48,8 @@ TEST(UpdateStress, AppliesThePointwiseUpdateToEveryPoint) {
   const auto temperature = host_copy(p.temperature);
   int yielded = 0;
   for (int i = 0; i < count; ++i) {
-    MaterialState s{{0, 0, 0, 0, 0, 0}, mats[i % 2].density, 0, 0, mats[0].reference_temperature, 0};
+    MaterialState s{
+        {0, 0, 0, 0, 0, 0}, mats[i % 2].density, 0, 0, mats[0].johnson_cook.reference_temperature, 0};
     Real w = 0, w_plastic = 0;
     for (int k = 0; k < 10; ++k) {
       const StressUpdate u = update_point(mats[i % 2], s, L[i], dt);

@@ -103,6 +103,8 @@ void check_faces(const BodyDeck& body, const toml::table& table, DeckReport& rep
   }
 }
 
+bool melts(const MaterialDeck& m) { return m.law == "johnson_cook" || m.law == "johnson_cook_tanh"; }
+
 void check_names(const Deck& deck, const toml::array& bodies, DeckReport& report) {
   std::vector<std::string> materials;
   for (const MaterialDeck& material : deck.materials) materials.push_back(material.name);
@@ -115,7 +117,7 @@ void check_names(const Deck& deck, const toml::array& bodies, DeckReport& report
                  fmt::format("there is no [material.{}] in this deck.{}", body.material,
                              suggest(body.material, materials)));
     } else if (const MaterialDeck& m = deck.materials[std::size_t(material - materials.begin())];
-               m.law == "johnson_cook" && body.temperature >= m.melt_temperature) {
+               melts(m) && body.temperature >= m.melt_temperature) {
       report.add(find_place(table, "temperature"), "body.temperature",
                  fmt::format("expected less than the melt_temperature of {}, {} K, got {} K", m.name,
                              m.melt_temperature, body.temperature));
@@ -207,7 +209,11 @@ std::string find_opposite(const std::string& face) {
 
 void check_material(const MaterialDeck& material, const toml::table& table, DeckReport& report) {
   const std::string path = "material." + material.name;
-  if (material.law == "johnson_cook" && material.melt_temperature <= material.reference_temperature)
+  if (material.law == "zerilli_armstrong" && material.C0 + material.C1 <= 0)
+    report.add(find_place(table, "C0"), path + ".C0",
+               "expected C0 + C1 > 0: without them the material has no strength before it hardens. Give one "
+               "of them");
+  if (melts(material) && material.melt_temperature <= material.reference_temperature)
     report.add(find_place(table, "melt_temperature"), path + ".melt_temperature",
                fmt::format("expected more than reference_temperature = {} K, got {} K",
                            material.reference_temperature, material.melt_temperature));

@@ -17,11 +17,14 @@ struct DeckError : std::runtime_error {
 
 struct MaterialDeck {
   std::string name;
-  std::string law; // elastic | linear_hardening | johnson_cook | rigid: of a tool
+  std::string
+      law; // elastic | linear_hardening | johnson_cook | johnson_cook_tanh | zerilli_armstrong | rigid
   double density, youngs_modulus, poissons_ratio;
   double specific_heat, conductivity, taylor_quinney;
   double yield_stress, hardening_modulus;                                        // linear_hardening
   double A, B, n, C, m, reference_rate, reference_temperature, melt_temperature; // johnson_cook
+  double softening_a, softening_b, softening_c, softening_d;                     // johnson_cook_tanh
+  double C0, C1, C2, C3, C4, C5;                                                 // zerilli_armstrong
   std::optional<std::array<double, 5>> damage;                                   // D1..D5
   bool operator==(const MaterialDeck&) const = default;
 };

@@ -20,6 +20,7 @@ enum class Dimension {
   specific_heat,
   conductivity,
   conductance,
+  per_kelvin,
   force,
   percentage
 };

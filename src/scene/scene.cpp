@@ -20,16 +20,28 @@ Material make_material(const MaterialDeck& deck) {
   m.shear_modulus = Real(deck.youngs_modulus / (2 * (1 + deck.poissons_ratio)));
   m.specific_heat = Real(deck.specific_heat), m.conductivity = Real(deck.conductivity);
   m.taylor_quinney = Real(deck.taylor_quinney);
-  if (deck.law == "linear_hardening") {
-    m.law = FlowLaw::linear_hardening;
-    m.yield_stress = Real(deck.yield_stress), m.hardening_modulus = Real(deck.hardening_modulus);
-  } else if (deck.law == "johnson_cook") {
-    m.law = FlowLaw::johnson_cook;
-    m.A = Real(deck.A), m.B = Real(deck.B), m.n = Real(deck.n), m.C = Real(deck.C), m.m = Real(deck.m);
-    m.reference_rate = Real(deck.reference_rate);
-    m.reference_temperature = Real(deck.reference_temperature),
-    m.melt_temperature = Real(deck.melt_temperature);
-  }
+  static const std::map<std::string, FlowLaw> laws = {{"linear_hardening", FlowLaw::linear_hardening},
+                                                      {"johnson_cook", FlowLaw::johnson_cook},
+                                                      {"johnson_cook_tanh", FlowLaw::johnson_cook_tanh},
+                                                      {"zerilli_armstrong", FlowLaw::zerilli_armstrong}};
+  if (laws.contains(deck.law)) m.law = laws.at(deck.law);
+  if (m.law == FlowLaw::linear_hardening)
+    m.linear_hardening = {Real(deck.yield_stress), Real(deck.hardening_modulus)};
+  if (m.law == FlowLaw::johnson_cook || m.law == FlowLaw::johnson_cook_tanh)
+    m.johnson_cook = {Real(deck.A),
+                      Real(deck.B),
+                      Real(deck.n),
+                      Real(deck.C),
+                      Real(deck.m),
+                      Real(deck.reference_rate),
+                      Real(deck.reference_temperature),
+                      Real(deck.melt_temperature)};
+  if (m.law == FlowLaw::johnson_cook_tanh)
+    m.strain_softening = {Real(deck.softening_a), Real(deck.softening_b), Real(deck.softening_c),
+                          Real(deck.softening_d)};
+  if (m.law == FlowLaw::zerilli_armstrong)
+    m.zerilli_armstrong = {Real(deck.C0), Real(deck.C1), Real(deck.C2), Real(deck.C3),
+                           Real(deck.C4), Real(deck.C5), Real(deck.n),  Real(deck.reference_rate)};
   if (deck.damage) {
     const auto& D = *deck.damage;
     m.damage = {true, Real(D[0]), Real(D[1]), Real(D[2]), Real(D[3]), Real(D[4])};

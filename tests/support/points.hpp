@@ -28,7 +28,7 @@ inline MaterialPoints make_points(int count, const Material& mat) {
   p.internal_work = ScalarField("internal_work", count), p.plastic_work = ScalarField("plastic_work", count);
   Kokkos::deep_copy(p.mass, Real(1));
   Kokkos::deep_copy(p.density, mat.density);
-  Kokkos::deep_copy(p.temperature, mat.reference_temperature);
+  Kokkos::deep_copy(p.temperature, mat.johnson_cook.reference_temperature);
   return p;
 }
 

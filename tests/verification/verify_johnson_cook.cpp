@@ -59,7 +59,7 @@ Path point_path(double rate, double increment, Mode mode) {
   const Real dt = Real(increment / rate);
   MaterialState state = initial_state(mat);
   Path path;
-  double total = increment + double(mat.A / (3 * mat.shear_modulus)); // of this step
+  double total = increment + double(mat.johnson_cook.A / (3 * mat.shear_modulus)); // of this step
   while (state.equivalent_plastic_strain < 2.0001) {
     StressUpdate u{};
     for (int k = 0; k < 50; ++k) {

@@ -1,10 +1,13 @@
 // Materials, and the points (particles or hexes) that carry their state.
 #pragma once
 #include "swarf/core/fields.hpp"
+#include "swarf/material/laws/johnson_cook_tanh.hpp"
+#include "swarf/material/laws/linear_hardening.hpp"
+#include "swarf/material/laws/zerilli_armstrong.hpp"
 
 namespace swarf {
 
-enum class FlowLaw { elastic, linear_hardening, johnson_cook };
+enum class FlowLaw { elastic, linear_hardening, johnson_cook, johnson_cook_tanh, zerilli_armstrong };
 
 // Johnson & Cook (1985) fracture strain: (D1 + D2 exp(D3 s)) (1 + D4 ln rate*) (1 + D5 T*), s = mean stress
 // (tension > 0) / von Mises stress.
@@ -13,7 +16,7 @@ struct DamageLaw {
   Real D1 = 0, D2 = 0, D3 = 0, D4 = 0, D5 = 0;
 };
 
-// SI throughout. JC symbols keep the names of Johnson & Cook (1983).
+// SI throughout.
 struct Material {
   FlowLaw law = FlowLaw::elastic;
   Real density = 0;        // kg/m3
@@ -22,12 +25,10 @@ struct Material {
   Real specific_heat = 0;  // J/(kg K)
   Real conductivity = 0;   // W/(m K)
   Real taylor_quinney = 0; // share of plastic work that becomes heat
-  Real yield_stress = 0;   // Pa, linear hardening
-  Real hardening_modulus = 0;
-  Real A = 0, B = 0, n = 0, C = 0, m = 0;
-  Real reference_rate = 1;          // 1/s
-  Real reference_temperature = 298; // K
-  Real melt_temperature = 1e9;      // K
+  LinearHardening linear_hardening;
+  JohnsonCook johnson_cook;
+  StrainSoftening strain_softening; // of johnson_cook_tanh
+  ZerilliArmstrong zerilli_armstrong;
   DamageLaw damage;
 };
 
