@@ -1,13 +1,11 @@
-"""docs/stability.md and its picture, all from the results and the catalogue of the program."""
+"""docs/reports/stability.md and its picture, all from the results and the catalogue of the program."""
 import math
 import textwrap
 
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
-matplotlib.rcParams["svg.fonttype"] = "none"
 import matplotlib.pyplot as plt
+from swarf import reports
+
+plt.rcParams["svg.fonttype"] = "none"
 
 LOOKS = {"stable": ("#e8f1e4", "black"), "degraded": ("#f5c26b", "black"), "failed": ("#8c2d19", "white"),
          "not run": ("white", "0.5"), "": ("white", "0.6")}
@@ -99,7 +97,7 @@ class Matrix:
         return sum(self.cell(row, test)[0] == name for test in self.tests)
 
 
-def draw(matrix, file):
+def draw(matrix):
     rows, tests = matrix.rows, matrix.tests
     figure, axes = plt.subplots(figsize=(13.6, 1.6 + 0.36 * len(rows)), layout="constrained")
     for y, row in enumerate(rows):
@@ -122,9 +120,7 @@ def draw(matrix, file):
     names = [name for name in LOOKS if name]
     axes.legend(handles[:3], names[:3], loc="upper center", bbox_to_anchor=(0.5, -0.005), ncols=3, fontsize=8,
                 frameon=False)
-    for kind in ("png", "svg"):
-        figure.savefig(f"{file}.{kind}", dpi=150, metadata={"Date": None} if kind == "svg" else {"Software": None})
-    plt.close(figure)
+    reports.save(figure, "stability", dpi=150)
 
 
 def defaults(matrix):
@@ -233,9 +229,9 @@ PAIRS = [
     ("hexes_viscous_deleted", "hexes_viscous")]
 
 
-def write_page(catalogue, results, folder):
+def write_page(catalogue, results):
     matrix = Matrix(catalogue, results)
-    draw(matrix, folder / "stability")
+    draw(matrix)
     cells = [matrix.cell(row, test)[0] for row in matrix.rows for test in matrix.tests]
     commits = sorted({result["commit"] for result in results.values()})
     seconds = sum(result["seconds"] or 0 for result in results.values())
@@ -247,6 +243,6 @@ def write_page(catalogue, results, folder):
              "\n## Limits\n", *limit_table(matrix), "\n## Each test\n"]
     for test in matrix.tests:
         lines += test_table(matrix, test)
-    (folder / "stability.md").write_text("\n".join(lines) + "\n")
+    reports.write("stability", lines)
     print(f"{cells.count('stable')} stable, {cells.count('degraded')} degraded, {cells.count('failed')} failed: "
-          "docs/stability.md")
+          "docs/reports/stability.md")

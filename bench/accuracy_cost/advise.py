@@ -2,6 +2,8 @@
 should move, and which settings get on with one another."""
 import math
 
+from swarf import decks
+
 import draw
 import points
 from points import MEAN_OF
@@ -55,7 +57,7 @@ def advised(rows, found, limit, name):
     shipped = next((row for row in rows if row["group"] == "committed deck"), None)
     row = min(good, key=lambda one: one["core_seconds"])
     compared = f", {row['core_seconds'] / shipped['core_seconds']:.2g} of the shipped deck" if shipped else ""
-    keys = f" ({row['changes']})" if row["changes"] else ""
+    keys = f" ({decks.describe(row['changes'])})" if row["changes"] else ""
     return (f"For {name} of the cutting force use \"{row['label']}\"{keys}: {row['core_seconds']:.0f} "
             f"core-seconds{compared}.")
 

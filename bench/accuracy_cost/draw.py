@@ -1,18 +1,16 @@
 #!/usr/bin/env python3
 """Draws accuracy against cost from results.csv: a picture of each scene, PNG and SVG,
-docs/accuracy_cost.md, and src/accuracy/chart.toml for the key run.accuracy."""
+docs/reports/accuracy_cost.md, and src/accuracy/chart.toml for the key run.accuracy."""
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
 import matplotlib.pyplot as plt
 import numpy
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
-import labels
+from swarf import labels, reports
+
 import page
 import physics
 import results
@@ -22,8 +20,6 @@ from reference import ENERGY, combine, references, widen
 from scenes import SCENES
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-DOCS = ROOT / "docs"
 MARKERS = "osD^v<>pPXhd*"
 ASIDE = ("combination", "at the limit")  # groups that are tried, not charted
 FLOOR = 0.1  # of the band's height: a smaller error is drawn here
@@ -149,9 +145,7 @@ def draw(scene, rows, found):
     if failed:
         figure.supxlabel("did not end: " + ", ".join(failed), fontsize=7)
     draw_cost(left, figure, scene, complete, found)
-    for kind in ("png", "svg"):
-        figure.savefig(DOCS / f"accuracy_cost_{scene.name}.{kind}", metadata={"Date": None} if kind == "svg" else None)
-    plt.close(figure)
+    reports.save(figure, f"accuracy_cost_{scene.name}")
 
 
 def main():
@@ -168,8 +162,8 @@ def main():
         draw(scene, ours, found)
         drawn[scene.name] = ({row["label"] for row in runs}, ours, found)
     if drawn:
-        (DOCS / "accuracy_cost.md").write_text(page.text(drawn, rows))
-        (ROOT / "src/accuracy/chart.toml").write_text(transfer.text(drawn, SCENES, ROOT))
+        reports.write("accuracy_cost", page.lines(drawn, rows))
+        (reports.ROOT / "src/accuracy/chart.toml").write_text(transfer.text(drawn, SCENES, reports.ROOT))
 
 
 if __name__ == "__main__":

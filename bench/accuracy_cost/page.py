@@ -1,4 +1,6 @@
-"""docs/accuracy_cost.md: the pictures, what to take from them and the table, all from the results."""
+"""docs/reports/accuracy_cost.md: the pictures, what to take from them and the table, all from the results."""
+from swarf import decks
+
 import advise
 import draw
 import physics
@@ -60,9 +62,9 @@ def table(rows, found):
         ratio = row["chip_thickness"] / row["uncut_thickness"] if row.get("chip_thickness") else None
         forces = " | ".join(f"{row[name]:.4g} +- {row[name + '_error']:.2g}" if row.get(name) is not None else "-"
                             for name in ("cutting_force", "feed_force"))
-        said = row["changes"] or "-"
+        said = decks.describe(row["changes"]) or "-"
         if row["status"] != "complete":
-            said = f"**{row['status'].replace('|', '/')}** {row['changes']}"
+            said = f"**{row['status'].replace('|', '/')}** {decks.describe(row['changes'])}"
         steps = row["particle_steps"] / 1e6 if row.get("particle_steps") is not None else None
         yield (f"| {row['group']} | {draw.label_of(row)} | {_number(row['core_seconds'])} | {_number(steps)} | "
                f"{errors} | {forces} | {_number(ratio)} | {advise.percent(row.get('energy_residual'))} | {said} |")
@@ -152,18 +154,17 @@ def section(name, tried, rows, found):
     yield "\n".join(table(rows, found))
 
 
-def text(drawn, runs):
+def lines(drawn, runs):
     orthogonal, milling = SCENES["orthogonal"], SCENES["milling"]
     windows = (f"Means over the last {100 * orthogonal.averaged:.0f} % of the orthogonal cut, and over immersion "
                f"{milling.immersion[0]:.0f} to {milling.immersion[1]:.0f} deg of the mill.")
-    lines = [HEAD.format(windows=windows, energy=100 * ENERGY)]
+    yield HEAD.format(windows=windows, energy=100 * ENERGY)
     for name, (tried, rows, found) in drawn.items():
-        lines += section(name, tried, rows, found)
+        yield from section(name, tried, rows, found)
         if name == physics.SCENE.name and any(row["group"] == physics.GROUP for row in runs):
-            lines += physics_page.section(runs, advise.base_of(SCENES[name], rows), found)
+            yield from physics_page.section(runs, advise.base_of(SCENES[name], rows), found)
     for scene in SCENES.values():
         if scene.name not in drawn:
             tried = sum(row["scene"] == scene.name for row in runs)
             planned = sum(not point.full for point in points.points_of(scene))
-            lines.append(f"\n## {scene.title.capitalize()}\n\n{tried} of {planned} points have run: too few to draw.")
-    return "\n".join(lines) + "\n"
+            yield f"\n## {scene.title.capitalize()}\n\n{tried} of {planned} points have run: too few to draw."

@@ -1,14 +1,14 @@
-"""The part of docs/accuracy_cost.md that says what the forces hang on: changes by one physical input each."""
+"""The part of docs/reports/accuracy_cost.md that says what the forces hang on: changes by one physical input each."""
 import csv
 import itertools
 import math
-import pathlib
 import statistics
 
-import decks
+from swarf import decks, si
+from swarf.reports import ROOT
+
 import physics
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 MEASURED = ROOT / "tests/verification/data/ti64_orthogonal_cutting.csv"
 ALIKE = ("repeat", "courant", "mass", "diffusion")  # groups that differ from the base by chance, as far as physics goes
 NAMES = {"cutting_force": ("F_c", "Fc"), "feed_force": ("F_f", "Ff"), "ratio": ("h_c / h", "ratio")}
@@ -17,7 +17,7 @@ NAMES = {"cutting_force": ("F_c", "Fc"), "feed_force": ("F_f", "Ff"), "ratio": (
 def measured():
     """{quantity: value and two standard deviations} at the speed and the depth of the deck."""
     deck = decks.read(ROOT / physics.SCENE.deck_file)
-    speed, depth = decks.si(deck["tool"]["velocity"][0]) * 60, physics.SCENE.uncut(deck, 0) * 1e6
+    speed, depth = si(deck["tool"]["velocity"][0]) * 60, physics.SCENE.uncut(deck, 0) * 1e6
     with open(MEASURED) as file:
         rows = csv.DictReader(line for line in file if not line.startswith("#"))
         row = next(one for one in rows if math.isclose(float(one["vc_m_min"]), speed)
@@ -61,7 +61,7 @@ def text_of(value, error):
 
 
 def input_of(row):
-    return row["changes"].split(" = ")[0].removeprefix("no ")
+    return next(iter(row["changes"]))
 
 
 def limits(base, found):
@@ -135,7 +135,7 @@ def directions(changes, ours, target):
 def edge_for_feed_force(changes, ours, target):
     """The radius of the edge, linear between the sharper one and the deck's, that gives the measured F_f."""
     deck = decks.read(ROOT / physics.SCENE.deck_file)
-    radius, sharper = decks.si(deck["tool"]["edge_radius"]), "edge radius 10 um"
+    radius, sharper = si(deck["tool"]["edge_radius"]), "edge radius 10 um"
     if sharper not in changes:
         return
     wanted = target["feed_force"][0] / ours["feed_force"][0] - 1

@@ -1,7 +1,6 @@
-"""Runs the orthogonal cut over the spacing, with shifting and without, and writes docs/chip.md."""
+"""Runs the orthogonal cut over the spacing, with shifting and without, and writes docs/reports/chip.md."""
 import argparse
 import concurrent.futures
-import json
 import pathlib
 import subprocess
 import sys
@@ -9,11 +8,12 @@ import sys
 import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "bench" / "accuracy_cost"))
-import decks  # noqa: E402
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "bench" / "accuracy_cost")]
+import swarf  # noqa: E402
+from swarf import decks, reports  # noqa: E402
+
 import measure as forces  # noqa: E402
 import order  # noqa: E402
-import vtu  # noqa: E402
 from scenes import SCENES  # noqa: E402
 
 SCENE = SCENES["orthogonal"]
@@ -39,27 +39,26 @@ def run(job):
     if not (folder / "summary.json").exists():
         RUNS.mkdir(parents=True, exist_ok=True)
         file = RUNS / f"{folder.name}.toml"
-        file.write_text(decks.text(deck))
+        decks.write(file, deck)
         subprocess.run([ROOT / "build/release/swarf", "run", file, "-o", folder, "--overwrite", "--threads", "1", "--no-pictures"],
                        stdout=subprocess.DEVNULL, check=False)
     return {**measured(deck, folder, spacing), "spacing": spacing, "shifting": shifting}
 
 
 def measured(deck, folder, spacing):
-    summary = json.loads((folder / "summary.json").read_text())
-    if summary["ended"] != "complete":
-        return {"ended": summary["ended"]}
-    table, energies = forces.history(folder), summary["energies"]
+    run = swarf.read(folder)
+    if not run.is_complete:
+        return {"ended": run.summary["ended"]}
+    table, energies = run.history, run.summary["energies"]
     begin, end = CUT / 2, table["time"][-1]
-    frame = vtu.read(sorted((folder / "frames").glob("*_particles.vtu"))[-1])
-    A = decks.si(next(iter(deck["material"].values()))["A"])
-    row = order.measure(frame, spacing * 1e-6, SCENE.width(deck), A)
+    A = swarf.si(next(iter(deck["material"].values()))["A"])
+    row = order.measure(run.frames[-1].particles, spacing * 1e-6, SCENE.width(deck), A)
     share = 40e-6 / SCENE.uncut(deck, 0)  # the force of a cut is nearly in proportion to its thickness
     for name, values in zip(("Fc", "Ff"), forces.cutting_forces(deck, table)):
         row[name] = share * forces.mean_and_error(table["time"], values, begin, end, False)[0]
     row["stabilisers"] = (energies["hourglass_work"] + energies["viscous_work"]) / energies["external_work"]
     row["shifting_work"] = energies["shifting_work"] / energies["external_work"]
-    row["residual"], row["seconds"] = energies["worst_residual_over_external"], summary["cost"]["cpu_seconds"]
+    row["residual"], row["seconds"] = energies["worst_residual_over_external"], run.summary["cost"]["cpu_seconds"]
     return row
 
 
@@ -86,8 +85,7 @@ def page(rows):
         if same:
             lines.append("| " + " | ".join(line(same)) + " |")
     lines += [f"\nDid not end: {one['spacing']:g} um, {one['ended']}" for one in rows if "Fc" not in one]
-    text = (ROOT / "bench/chip/page.md").read_text().replace("TABLE", "\n".join(lines))
-    (ROOT / "docs/chip.md").write_text(text)
+    reports.write("chip", [(ROOT / "bench/chip/page.md").read_text().replace("TABLE", "\n".join(lines))])
 
 
 def main():

@@ -1,13 +1,19 @@
 #!/usr/bin/env python3
-"""docs/speed.md, docs/roofline.* and docs/growth.*: all from bench/results.json, but for the peers' figures (peers.py),
-the targets (targets.py) and a GPU's data sheet (gpu.py)."""
+"""docs/reports/speed.md, roofline.* and growth.*: all from bench/results.json, but for the peers' figures (peers.py), the
+targets (targets.py) and a GPU's data sheet (gpu.py)."""
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from swarf import reports
+
 import gpu
 import growth
 import memory
 import peers
 import roofline
 import targets
-from results import DOCS, Results
+from results import Results
 
 HEAD = """# Speed
 
@@ -161,7 +167,7 @@ def main():
              *phase_rows(results, size), growth.TEXT, *memory.lines(results), KERNEL_TEXT.format(width=8),
              list_line(results, size), *kernel_rows(results), PEER_TEXT, *peer_rows(results, size),
              *gpu.lines(results, results.sizes()[-1])]
-    (DOCS / "speed.md").write_text("\n".join(lines) + "\n")
+    reports.write("speed", lines)
 
 
 if __name__ == "__main__":

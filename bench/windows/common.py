@@ -1,14 +1,9 @@
 """What the pages of windows have in common: colours, the ratio of two mean forces, and how a picture is finished."""
 import math
-import pathlib
 
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
 import numpy
+from swarf import reports
 
-DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 SPACING = 4.0  # um, of inputs/micro_milling_pass.toml across the chip
 RUN_INS = (10, 5)  # deg; the first is long, so that it shows what a shorter one would have measured
 WIDTH, AHEAD = 6, 7  # deg, of a measurement, and of the material after it
@@ -54,5 +49,4 @@ def save(figure, axes, name):
         one.spines[["top", "right"]].set_visible(False)
         one.grid(color="0.92")
     figure.tight_layout()
-    for suffix in ("png", "svg"):
-        figure.savefig(DOCS / f"{name}.{suffix}", dpi=150, metadata={"Date": None} if suffix == "svg" else None)
+    reports.save(figure, name, dpi=150)

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Draws docs/windows.png, .svg and writes docs/windows.md from results.json."""
+"""Draws docs/reports/windows*.png, .svg and writes docs/reports/windows.md from results.json."""
 import json
 import math
 import pathlib
+import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
 import numpy
+from swarf import reports
 
-from common import COLOURS, DOCS, compare, percent, planar, ratio_of_means, save, smooth
+from common import COLOURS, compare, percent, planar, ratio_of_means, save, smooth
 import finer_page
 import matplotlib.pyplot as plt
 import scene_page
@@ -229,7 +232,7 @@ def write_page(found):
     lines += write_retired(found) if "retired" in found else []
     lines += finer_page.write(found) if "finer" in found else []
     lines += scene_page.write(found) if "scene" in found else []
-    (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
+    reports.write("windows", lines)
 
 
 def main():

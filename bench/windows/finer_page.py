@@ -1,4 +1,4 @@
-"""The section of docs/windows.md on smaller cells, and its picture."""
+"""The section of docs/reports/windows.md on smaller cells, and its picture."""
 import numpy
 
 from common import COLOURS, RUN_INS, SPACING, percent, ratio_of_means, save, smooth

@@ -1,4 +1,4 @@
-"""The section of docs/windows.md on the whole scene, and its picture."""
+"""The section of docs/reports/windows.md on the whole scene, and its picture."""
 import numpy
 
 from common import COLOURS, compare, percent, ratio_of_means, save, smooth
@@ -42,7 +42,7 @@ def write_pass(found):
     whole = found["scene_pass"]
     to = f"It has run to {whole['end']:.0f} deg so far" if "end" in whole else "It ran from the entry to the exit"
     lines = ["![Force of the whole scene over immersion](windows_scene.png)", "",
-             "![The chip of the whole scene at five angles, coloured by temperature](chip_scene.png)", "",
+             "![The chip of the whole scene at five angles, coloured by temperature](../chip_scene.png)", "",
              f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"` and `courant = {whole['courant']}`: {whole['particles']} "
              f"particles and {whole['hexes']} hexes, of the particles {100 * whole['awake']:.1f} % awake on the mean. {to}: "
              f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h on "

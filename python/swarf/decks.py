@@ -63,10 +63,10 @@ def vary(deck, changes):
             else:
                 table = table.setdefault(key, {})
         key = _place(table, last[1]) if last[1] else last[0]
-        if value is None:
-            del table[key]
-        elif isinstance(table, list):
-            table[key:key + 1] = [copy.deepcopy(value)]
+        if isinstance(table, list):
+            table[key:key + 1] = [] if value is None else [copy.deepcopy(value)]
+        elif value is None:
+            table.pop(key, None)
         else:
             table[key] = copy.deepcopy(value)
     return deck

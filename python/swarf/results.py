@@ -37,7 +37,8 @@ def read_hdf5(path):
 
 
 class Frame:
-    """The state at one time, s, and immersion, deg, or None. Its parts are {name: array} (vtk.read), or None."""
+    """The state at one time, s, and immersion, deg, or None. Its parts are {name: array} (vtk.read), or None;
+    each look at one reads its file."""
 
     def __init__(self, folder, row):
         self.index, self.time = int(row["frame"]), float(row["time [s]"])
@@ -48,17 +49,17 @@ class Frame:
     def _read(self, part, kind="vtu"):
         return vtk.read(f"{self._path}_{part}.{kind}") if part in self.parts else None
 
-    @cached_property
+    @property
     def particles(self):
         return self._read("particles")
 
-    @cached_property
+    @property
     def hexes(self):
         """Points are the nodes; "connectivity" has shape (hexes, 8), the other fields but velocity are of the hexes."""
         arrays = self._read("hexes")
         return arrays and arrays | {"connectivity": arrays["connectivity"].reshape(-1, 8)}
 
-    @cached_property
+    @property
     def tool(self):
         """Triangles: "position" has shape (triangles, 3 corners, 3)."""
         arrays = self._read("tool", "vtp")
