@@ -1,7 +1,9 @@
 """What the pages of docs/reports have in common: their folder, pictures, and where and of what a number was measured."""
 import pathlib
 import platform
+import re
 import subprocess
+import textwrap
 
 import matplotlib
 
@@ -11,6 +13,7 @@ import matplotlib.pyplot as plt
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs" / "reports"
+WIDTH = 120  # characters of a line, and of what a screen shows of a table
 
 
 def save(figure, name, dpi="figure"):
@@ -21,8 +24,35 @@ def save(figure, name, dpi="figure"):
     plt.close(figure)
 
 
+def table(head, rows, key=1):
+    """Lines of a table. One that is wider than a screen comes in parts, each with the first `key` columns. Texts of more
+    than 24 characters are wrapped by whoever shows them; columns of numbers are set to the right."""
+    columns = [[str(cell).replace("|", "\\|") for cell in column] for column in zip(head, *rows)]
+    widths = [3 + min(24, max(map(len, column))) for column in columns]
+    parts = [[]]
+    for k in range(key, len(columns)):
+        if parts[-1] and sum(widths[:key]) + sum(widths[one] for one in parts[-1]) + widths[k] > WIDTH:
+            parts.append([])
+        parts[-1].append(k)
+    for part in parts:
+        chosen = columns[:key] + [columns[k] for k in part]
+        yield ""
+        lines = ["| " + " | ".join(row) + " |" for row in zip(*chosen)]
+        rule = "|".join("---:" if all(re.match(r"[-+*]*\d|-$|$", cell) for cell in column[1:]) else "---"
+                        for column in chosen)
+        yield from [lines[0], f"|{rule}|", *lines[1:]]
+    yield ""
+
+
 def write(name, lines):
-    (FOLDER / f"{name}.md").write_text("\n".join(lines).rstrip() + "\n")
+    """The page, its prose wrapped."""
+    def wrapped(line):
+        if len(line) <= WIDTH or line.startswith(("|", "!", "#", " ")):
+            return line
+        return textwrap.fill(line, WIDTH, break_long_words=False, break_on_hyphens=False,
+                             subsequent_indent="  " if line.startswith("- ") else "")
+    text = "\n".join(wrapped(line) for block in lines for line in block.split("\n"))
+    (FOLDER / f"{name}.md").write_text(re.sub(r"\n{3,}", "\n\n", text).strip() + "\n")
 
 
 def processor():
