@@ -12,9 +12,9 @@ LOOKS = {"stable": ("#e8f1e4", "black"), "degraded": ("#f5c26b", "black"), "fail
 
 HEAD = """# Stability where methods fail
 
-Made by `scripts/stability`; every number is from `tests/stability/results.jsonl`. Rows are formulations, columns are
-tests that break them. A cell is *stable*, *degraded* or *failed* by the [limits](#limits), which were set before the
-runs; it shows the measure that decides. Failed also means: the run ended before its time.
+Made by `scripts/stability`; every number is from `tests/stability/results.jsonl`. Formulations meet tests that break
+them: each is *stable*, *degraded* or *failed* there by the [limits](#limits), which were set before the runs. Failed also
+means: the run ended before its time. A cell of the picture shows the measure that decides.
 """
 
 
@@ -149,13 +149,11 @@ def defaults(matrix):
         return ""
 
 
-def matrix_table(matrix):
-    yield "| formulation | " + " | ".join(test["title"] for test in matrix.tests) + " | failed |"
-    yield "|---" * (len(matrix.tests) + 2) + "|"
-    marks = {"failed": "**{}**", "degraded": "*{}*"}
-    for row in matrix.rows:
-        cells = [marks.get(name, "{}").format(text) for name, text in (matrix.cell(row, test) for test in matrix.tests)]
-        yield f"| {row['text']} | " + " | ".join(cells) + f" | {matrix.count(row, 'failed')} |"
+def count_table(matrix):
+    """How often each formulation is what."""
+    names = [name for name in LOOKS if name]
+    return reports.table(["formulation", *names], [[row["text"], *(matrix.count(row, name) for name in names)]
+                                                   for row in matrix.rows])
 
 
 def test_table(matrix, test):
@@ -164,8 +162,7 @@ def test_table(matrix, test):
     measures = list(dict.fromkeys(m for _, result in found for m in result["measures"]))
     yield f"\n### {sentence(test['title'])}\n"
     yield f"{sentence(test['text'])}.\n"
-    yield "| formulation | class | " + " | ".join(matrix.limits[m]["shown"] for m in measures) + " | steps | seconds |"
-    yield "|---" * (len(measures) + 4) + "|"
+    table = []
     for row, result in found:
         values = []
         for m in measures:
@@ -177,7 +174,9 @@ def test_table(matrix, test):
             values.append({"failed": f"**{text}**", "degraded": f"*{text}*"}.get(class_of(limit, value), text))
         steps = "-" if result["steps"] is None else f"{result['steps']:.0f}"
         seconds = "-" if result["seconds"] is None else f"{result['seconds']:.1f}"
-        yield f"| {row['text']} | {result['class']} | " + " | ".join(values) + f" | {steps} | {seconds} |"
+        table.append([row["text"], result["class"], *values, steps, seconds])
+    head = ["formulation", "class", *(matrix.limits[m]["shown"] for m in measures), "steps", "seconds"]
+    yield from reports.table(head, table)
     if test["why"]:
         yield f"\n{test['why']}"
     for row, result in found:
@@ -187,13 +186,13 @@ def test_table(matrix, test):
 
 
 def limit_table(matrix):
-    yield "| measure | what it is | stable up to | failed beyond | why |"
-    yield "|---|---|---|---|---|"
+    rows = []
     for limit in matrix.limits.values():
-        more = " at least" if limit["more_is_better"] else ""
-        failed = "never" if limit["failed"] is None else f"{limit['failed']:g}"
-        yield (f"| {limit['shown'].removesuffix(' %')} | {limit['text']} |{more} {limit['stable']:g} | "
-               f"{'less than ' if more else ''}{failed} | {limit['reason']} |")
+        stable, failed = f"{limit['stable']:g}", "never" if limit["failed"] is None else f"{limit['failed']:g}"
+        if limit["more_is_better"]:
+            stable, failed = f"at least {stable}", f"less than {failed}"
+        rows.append([limit["shown"].removesuffix(" %"), stable, failed, limit["text"], limit["reason"]])
+    return reports.table(["measure", "stable up to", "failed beyond", "what it is", "why"], rows)
 
 
 def changes(matrix):
@@ -238,8 +237,8 @@ def write_page(catalogue, results):
     lines = [HEAD, f"{cells.count('stable')} cells are stable, {cells.count('degraded')} degraded, "
              f"{cells.count('failed')} failed, {cells.count('not run')} have not run. One thread, {seconds:.0f} s for "
              f"all. Commits: {', '.join(commits)}.\n",
-             "![The stability matrix](stability.png)\n", *matrix_table(matrix),
-             defaults(matrix), "\n## What one change does\n", "By class; a cell that stays in its class is not named.\n", *changes(matrix),
+             *count_table(matrix), "![The stability matrix](stability.png)", defaults(matrix),
+             "\n## What one change does\n", "By class; a cell that stays in its class is not named.\n", *changes(matrix),
              "\n## Limits\n", *limit_table(matrix), "\n## Each test\n"]
     for test in matrix.tests:
         lines += test_table(matrix, test)

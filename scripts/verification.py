@@ -84,10 +84,6 @@ def error_text(row, key):
     return number(value, 2) if row["absolute"] else f"{100 * value:.2g} %"
 
 
-def cell(text):
-    return text.replace("|", "\\|")
-
-
 def plot(curve, file):
     figure, axes = plt.subplots(figsize=(6.4, 4.2), constrained_layout=True)
     markers = iter("osD^vP*X" * 4)
@@ -111,6 +107,30 @@ def plot(curve, file):
     plt.close(figure)
 
 
+def by_case(rows):
+    found = {}
+    for row in rows:
+        found.setdefault(row["name"], []).append(row)
+    return found
+
+
+def summary(cases):
+    """A line for each case."""
+    return reports.table(["case", "rows", "pass", "run time"], [
+        [name, len(rows), "yes" if all(map(passes, rows)) else f"**{len([r for r in rows if not passes(r)])} FAIL**",
+         f"{sum(r['seconds'] or 0 for r in rows):.1f} s"] for name, rows in cases.items()])
+
+
+def case_table(rows, sources):
+    table = []
+    for r in rows:
+        unit = f" {r['unit']}" if r["unit"] else ""
+        source = f" [{sources.index(r['source']) + 1}](#sources)" if r["source"] else ""
+        table.append([r["what"] + source, r["parameters"], number(r["reference"], 6) + unit, number(r["ours"], 6) + unit,
+                      error_text(r, "error"), error_text(r, "allowed"), "yes" if passes(r) else "**FAIL**"])
+    return reports.table(["tests", "parameters", "reference", "ours", "error", "allowed", "pass"], table)
+
+
 def write_page(rows, curves, results, missing):
     sources = list(dict.fromkeys(r["source"] for r in rows if r["source"]))
     bad = [r for r in rows if not passes(r)]
@@ -119,29 +139,19 @@ def write_page(rows, curves, results, missing):
              "Made by `scripts/verify`; no number here is typed by hand. Every row is an assertion of a test in "
              "tests/verification, where the reason of the allowed error stands beside it. A row that fails is asserted to "
              "fail, and says below why, as far as is known.", "",
-             f"{len(rows) - len(bad)} of {len(rows)} rows pass. Commit {', '.join(sorted(commits))}; "
-             f"{', '.join(sorted(threads))} thread(s) of {reports.processor()}.", "",
-             "| case | tests | parameters | reference | source | ours | error | allowed | pass | run time |",
-             "|---|---|---|---|---|---|---|---|---|---|"]
-    for r in rows:
-        source = f"[{sources.index(r['source']) + 1}](#sources)" if r["source"] else ""
-        unit = f" {r['unit']}" if r["unit"] else ""
-        lines.append("| " + " | ".join([
-            cell(r["name"]), cell(r["what"]), cell(r["parameters"]), number(r["reference"], 6) + unit, source,
-            number(r["ours"], 6) + unit, error_text(r, "error"), error_text(r, "allowed"),
-            "yes" if passes(r) else "**FAIL**", "" if r["seconds"] is None else f"{r['seconds']:.1f} s"]) + " |")
-    lines += ["", "The run time of a test stands in its first row.", ""]
+             f"**{len(rows) - len(bad)} of {len(rows)} rows pass.** Commit {', '.join(sorted(commits))}; "
+             f"{', '.join(sorted(threads))} thread(s) of {reports.processor()}.", *summary(by_case(rows))]
     if missing:
         lines += ["Not run: " + ", ".join(missing) + ".", ""]
     if bad:
         lines += ["## Rows that fail", ""]
         lines += [f"- {r['name']}, {r['what']} ({r['parameters']}): {r['known_fault'] or 'cause not known'}" for r in bad]
-        lines += [""]
+    for name, of_case in by_case(rows).items():
+        lines += ["", f"## {name}", *case_table(of_case, sources)]
     if curves:
         lines += ["## Curves", ""]
         lines += [f"![{c['title']}](verification/{c['file']}.png)" for c in curves]
-        lines += [""]
-    lines += ["## Sources", ""] + [f"{k + 1}. {s}" for k, s in enumerate(sources)]
+    lines += ["", "## Sources", ""] + [f"{k + 1}. {s}" for k, s in enumerate(sources)]
     reports.write("verification", lines)
     return bad
 

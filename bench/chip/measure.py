@@ -77,15 +77,31 @@ def line(rows):
     return cells + [form.format(by * numpy.mean([one[name] for one in rows])) for name, _, form, by in COLUMNS]
 
 
+def summary(rows):
+    """What shifting does at the finest spacing that has run with it and without."""
+    same = {shifting: [one for one in rows if one["shifting"] is shifting and "Fc" in one] for shifting in (True, False)}
+    both = {one["spacing"] for one in same[True]} & {one["spacing"] for one in same[False]}
+    if not both:
+        return "No spacing has run both with shifting and without."
+    finest = min(both)
+    mean = {shifting: {name: numpy.mean([one[name] for one in found if one["spacing"] == finest])
+                       for name in ("Fc", "voids", "nearest")} for shifting, found in same.items()}
+    return (f"**At {finest:.3g} um, with shifting (without): F_c {mean[True]['Fc']:.1f} ({mean[False]['Fc']:.1f}) N, voids in "
+            f"{100 * mean[True]['voids']:.1f} ({100 * mean[False]['voids']:.1f}) % of the chip, nearest neighbours "
+            f"{mean[True]['nearest']:.2f} ({mean[False]['nearest']:.2f}) spacings apart.**")
+
+
 def page(rows):
     head = ["spacing, um", "shifting", "F_c, N", "F_f, N"] + [title for _, title, _, _ in COLUMNS]
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    table = []
     for key in sorted({(one["shifting"], one["spacing"]) for one in rows}, key=lambda k: (not k[0], -k[1])):
         same = [one for one in rows if (one["shifting"], one["spacing"]) == key and "Fc" in one]
         if same:
-            lines.append("| " + " | ".join(line(same)) + " |")
-    lines += [f"\nDid not end: {one['spacing']:g} um, {one['ended']}" for one in rows if "Fc" not in one]
-    reports.write("chip", [(ROOT / "bench/chip/page.md").read_text().replace("TABLE", "\n".join(lines))])
+            table.append(line(same))
+    failed = [f"Did not end: {one['spacing']:g} um, {one['ended']}" for one in rows if "Fc" not in one]
+    text = (ROOT / "bench/chip/page.md").read_text().replace("SUMMARY", summary(rows))
+    before, after = text.split("TABLE")
+    reports.write("chip", [before, *reports.table(head, table, key=2), *failed, after])
 
 
 def main():

@@ -14,6 +14,7 @@ import matplotlib.pyplot as plt
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs" / "reports"
 WIDTH = 120  # characters of a line, and of what a screen shows of a table
+NUMBERS = re.compile(r"[-+*]*\d\S*( \S{1,4}| \d\S*)*|-?")  # with their units, as in "1.2 +- 0.1 m/s", or nothing
 
 
 def save(figure, name, dpi="figure"):
@@ -38,8 +39,7 @@ def table(head, rows, key=1):
         chosen = columns[:key] + [columns[k] for k in part]
         yield ""
         lines = ["| " + " | ".join(row) + " |" for row in zip(*chosen)]
-        rule = "|".join("---:" if all(re.match(r"[-+*]*\d|-$|$", cell) for cell in column[1:]) else "---"
-                        for column in chosen)
+        rule = "|".join("---:" if all(map(NUMBERS.fullmatch, column[1:])) else "---" for column in chosen)
         yield from [lines[0], f"|{rule}|", *lines[1:]]
     yield ""
 
