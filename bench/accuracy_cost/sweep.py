@@ -7,6 +7,7 @@ run again. Runs use one thread, and cost is processor time, so that other progra
 import argparse
 import fcntl
 import hashlib
+import json
 import os
 import pathlib
 import re
@@ -54,7 +55,7 @@ class Sweep:
         self.spent = 0.0
 
     def hash_of(self, point):
-        return digest(decks.text(point.deck(ROOT)).encode())
+        return digest(json.dumps(point.deck(ROOT), sort_keys=True).encode())
 
     def row_of(self, point):
         """What is known of this very point, by this very program."""

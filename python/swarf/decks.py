@@ -20,10 +20,6 @@ def read(path):
         return tomllib.load(file)
 
 
-def text(deck):
-    return tomli_w.dumps(deck)
-
-
 def write(path, deck):
     with open(path, "wb") as file:
         tomli_w.dump(deck, file)
