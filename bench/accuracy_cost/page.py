@@ -2,10 +2,10 @@
 from swarf import decks, reports
 
 import advise
-import draw
 import physics
 import physics_page
 import points
+import ranking
 from points import MEAN_OF
 from reference import ENERGY, QUANTITIES
 from scenes import SCENES
@@ -70,8 +70,8 @@ def table(rows, found):
         if row["status"] != "complete":
             said = f"**{row['status']}** {said}"
         steps = row["particle_steps"] / 1e6 if row.get("particle_steps") is not None else None
-        cells.append([draw.label_of(row), _number(row["core_seconds"]),
-                      *(advise.percent(draw.error_of(row, name, found)) for name in names),
+        cells.append([ranking.label_of(row), _number(row["core_seconds"]),
+                      *(advise.percent(ranking.error_of(row, name, found)) for name in names),
                       advise.percent(row.get("energy_residual")), _number(steps),
                       *(f"{row[name]:.4g} +- {row[name + '_error']:.2g}" if row.get(name) is not None else "-"
                         for name in ("cutting_force", "feed_force")), _number(ratio), row["group"], said])
@@ -140,8 +140,8 @@ def section(name, tried, rows, found):
     scene = SCENES[name]
     planned = {point.label for point in points.points_of(scene) if not point.full}
     missing = [point.label for point in points.points_of(scene) if point.label in planned - tried]
-    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in draw.ASIDE]
-    failed = [row for row in rows if row["status"] != "complete" and row["group"] not in draw.ASIDE]
+    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in ranking.ASIDE]
+    failed = [row for row in rows if row["status"] != "complete" and row["group"] not in ranking.ASIDE]
     yield f"\n## {scene.title.capitalize()}\n"
     yield f"![Error of the cutting force against core-seconds](accuracy_cost_{name}.png)\n"
     if missing:
@@ -168,13 +168,13 @@ def section(name, tried, rows, found):
 def summary(name, tried, rows, found):
     """The reference, what to use, and what is shipped, in a few lines."""
     scene, reference = SCENES[name], found["cutting_force"]
-    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in draw.ASIDE]
+    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in ranking.ASIDE]
     base = advise.base_of(scene, complete)
     advice = (advise.advice(complete, found) if series_of(scene) <= tried else
               "The series of spacings is not whole, so nothing is advised.")
     return (f"- **{scene.title.capitalize()}**: cutting force {reference.value:.3g} N, known to "
             f"{100 * reference.relative:.1f} %. {advice} The shipped settings: {base['core_seconds']:.3g} core-seconds, "
-            f"{advise.percent(draw.error_of(base, 'cutting_force', found))}.")
+            f"{advise.percent(ranking.error_of(base, 'cutting_force', found))}.")
 
 
 def lines(drawn, runs):

@@ -14,7 +14,7 @@ import tomli_w
 from swarf import decks, si
 
 import advise
-import draw
+import ranking
 from points import MEAN_OF, Point
 from reference import ENERGY
 
@@ -97,7 +97,7 @@ def point(scene, root, row, rows, found):
         "wave_over_speed": scaled / speed, "courant": flat["run.courant"], "bulk": "body[bulk]" not in changes,
         "particles": {key.removeprefix("particles."): one for key, one in flat.items() if key.startswith("particles.")},
         "sleep_rows": si(flat["sleep.distance"]) / spacing if "sleep.distance" in flat else 0.0,
-        "run_in": run_in / chip, "measured": measured / chip, "error": draw.likely_error(row, found),
+        "run_in": run_in / chip, "measured": measured / chip, "error": ranking.likely_error(row, found),
         "standard_error": row["cutting_force_error"] / abs(reference.value),
         "level": advise.level_of_finer(row, rows, found), "energy_residual": row["energy_residual"],
         "core_seconds": row["core_seconds"], "cost": row["core_seconds"] / advise.base_of(scene, rows)["core_seconds"],
@@ -117,7 +117,7 @@ def scene_table(scene, root, rows, found):
     where = (f"over the last {100 * scene.averaged:.0f} % of the cut" if scene.name == "orthogonal" else
              f"at immersion {scene.immersion[0]:.0f} to {scene.immersion[1]:.0f} deg")
     entries = [point(scene, root, row, rows, found) for row in sorted(rows, key=lambda one: one["core_seconds"])
-               if row["group"] not in ("committed deck", *draw.ASIDE) and abs(row["energy_residual"]) <= ENERGY]
+               if row["group"] not in ("committed deck", *ranking.ASIDE) and abs(row["energy_residual"]) <= ENERGY]
     table = {"title": scene.title, "deck": scene.deck_file, "reference": reference.value,
              "uncertainty": reference.relative, "said": reference.said, "where": where,
              "edge_over_chip": si(deck["tool"]["edge_radius"]) / chip,
@@ -151,7 +151,7 @@ def text(drawn, scenes, root):
     """drawn: {scene: (labels, rows, references)} as draw.py has them."""
     chart = {}
     for name, (_, rows, found) in drawn.items():
-        complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in draw.ASIDE]
+        complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in ranking.ASIDE]
         kind, table = scene_table(scenes[name], root, complete, found)
         chart[kind] = rounded(table)
     return HEAD + "\n" + tomli_w.dumps(chart)
