@@ -1,5 +1,5 @@
 """Runs the cells of the stability matrix, each in a process of its own, and keeps one line of results for each in
-tests/stability/results.jsonl; then draws docs/stability.md (stability_page.py)."""
+tests/stability/results.jsonl; then draws docs/reports/stability.md (stability_page.py)."""
 import json
 import os
 import pathlib
@@ -7,18 +7,15 @@ import subprocess
 import sys
 from fnmatch import fnmatch
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
+from swarf.reports import commit
+
 import stability_page
 
 FOLDER = pathlib.Path("tests/stability")
 RESULTS, CATALOGUE = FOLDER / "results.jsonl", FOLDER / "catalogue.json"
+PROGRAM_IS_OF = ("include", "kernels", "src", "tests/stability/*pp", "tests/verification")
 LIMIT = 300  # seconds for one cell
-
-
-def commit():
-    def git(*arguments):
-        return subprocess.run(["git", *arguments], capture_output=True, text=True).stdout.strip()
-    changed = git("status", "--porcelain", "--", "include", "kernels", "src", "tests/stability/*pp", "tests/verification")
-    return (git("rev-parse", "--short", "HEAD") or "not from git") + (" with changes" if changed else "")
 
 
 def read_results():
@@ -62,12 +59,12 @@ def main():
             missing = cell not in results and (not wanted or wanted == ["--all"])
             if not (asked or missing or wanted == ["--all"]):
                 continue
-            row = {**run_cell(program, *cell), "commit": commit()}
+            row = {**run_cell(program, *cell), "commit": commit(*PROGRAM_IS_OF)}
             results[cell] = row
             write(RESULTS, "".join(json.dumps(results[c]) + "\n" for c in cells if c in results))
             print(f"{name:<44} {row['class']:<9} {row['decisive'] or row['fault'][:60]}", flush=True)
     catalogue = json.loads(CATALOGUE.read_text())
-    stability_page.write_page(catalogue, read_results(), pathlib.Path("docs"))
+    stability_page.write_page(catalogue, read_results())
 
 
 main()

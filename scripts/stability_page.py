@@ -1,22 +1,20 @@
-"""docs/stability.md and its picture, all from the results and the catalogue of the program."""
+"""docs/reports/stability.md and its picture, all from the results and the catalogue of the program."""
 import math
 import textwrap
 
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
-matplotlib.rcParams["svg.fonttype"] = "none"
 import matplotlib.pyplot as plt
+from swarf import reports
+
+plt.rcParams["svg.fonttype"] = "none"
 
 LOOKS = {"stable": ("#e8f1e4", "black"), "degraded": ("#f5c26b", "black"), "failed": ("#8c2d19", "white"),
          "not run": ("white", "0.5"), "": ("white", "0.6")}
 
 HEAD = """# Stability where methods fail
 
-Made by `scripts/stability`; every number is from `tests/stability/results.jsonl`. Rows are formulations, columns are
-tests that break them. A cell is *stable*, *degraded* or *failed* by the [limits](#limits), which were set before the
-runs; it shows the measure that decides. Failed also means: the run ended before its time.
+Made by `scripts/stability`; every number is from `tests/stability/results.jsonl`. Formulations meet tests that break
+them: each is *stable*, *degraded* or *failed* there by the [limits](#limits), which were set before the runs. Failed also
+means: the run ended before its time. A cell of the picture shows the measure that decides.
 """
 
 
@@ -99,7 +97,7 @@ class Matrix:
         return sum(self.cell(row, test)[0] == name for test in self.tests)
 
 
-def draw(matrix, file):
+def draw(matrix):
     rows, tests = matrix.rows, matrix.tests
     figure, axes = plt.subplots(figsize=(13.6, 1.6 + 0.36 * len(rows)), layout="constrained")
     for y, row in enumerate(rows):
@@ -122,9 +120,7 @@ def draw(matrix, file):
     names = [name for name in LOOKS if name]
     axes.legend(handles[:3], names[:3], loc="upper center", bbox_to_anchor=(0.5, -0.005), ncols=3, fontsize=8,
                 frameon=False)
-    for kind in ("png", "svg"):
-        figure.savefig(f"{file}.{kind}", dpi=150, metadata={"Date": None} if kind == "svg" else {"Software": None})
-    plt.close(figure)
+    reports.save(figure, "stability", dpi=150)
 
 
 def defaults(matrix):
@@ -153,13 +149,11 @@ def defaults(matrix):
         return ""
 
 
-def matrix_table(matrix):
-    yield "| formulation | " + " | ".join(test["title"] for test in matrix.tests) + " | failed |"
-    yield "|---" * (len(matrix.tests) + 2) + "|"
-    marks = {"failed": "**{}**", "degraded": "*{}*"}
-    for row in matrix.rows:
-        cells = [marks.get(name, "{}").format(text) for name, text in (matrix.cell(row, test) for test in matrix.tests)]
-        yield f"| {row['text']} | " + " | ".join(cells) + f" | {matrix.count(row, 'failed')} |"
+def count_table(matrix):
+    """How often each formulation is what."""
+    names = [name for name in LOOKS if name]
+    return reports.table(["formulation", *names], [[row["text"], *(matrix.count(row, name) for name in names)]
+                                                   for row in matrix.rows])
 
 
 def test_table(matrix, test):
@@ -168,8 +162,7 @@ def test_table(matrix, test):
     measures = list(dict.fromkeys(m for _, result in found for m in result["measures"]))
     yield f"\n### {sentence(test['title'])}\n"
     yield f"{sentence(test['text'])}.\n"
-    yield "| formulation | class | " + " | ".join(matrix.limits[m]["shown"] for m in measures) + " | steps | seconds |"
-    yield "|---" * (len(measures) + 4) + "|"
+    table = []
     for row, result in found:
         values = []
         for m in measures:
@@ -181,7 +174,9 @@ def test_table(matrix, test):
             values.append({"failed": f"**{text}**", "degraded": f"*{text}*"}.get(class_of(limit, value), text))
         steps = "-" if result["steps"] is None else f"{result['steps']:.0f}"
         seconds = "-" if result["seconds"] is None else f"{result['seconds']:.1f}"
-        yield f"| {row['text']} | {result['class']} | " + " | ".join(values) + f" | {steps} | {seconds} |"
+        table.append([row["text"], result["class"], *values, steps, seconds])
+    head = ["formulation", "class", *(matrix.limits[m]["shown"] for m in measures), "steps", "seconds"]
+    yield from reports.table(head, table)
     if test["why"]:
         yield f"\n{test['why']}"
     for row, result in found:
@@ -191,13 +186,13 @@ def test_table(matrix, test):
 
 
 def limit_table(matrix):
-    yield "| measure | what it is | stable up to | failed beyond | why |"
-    yield "|---|---|---|---|---|"
+    rows = []
     for limit in matrix.limits.values():
-        more = " at least" if limit["more_is_better"] else ""
-        failed = "never" if limit["failed"] is None else f"{limit['failed']:g}"
-        yield (f"| {limit['shown'].removesuffix(' %')} | {limit['text']} |{more} {limit['stable']:g} | "
-               f"{'less than ' if more else ''}{failed} | {limit['reason']} |")
+        stable, failed = f"{limit['stable']:g}", "never" if limit["failed"] is None else f"{limit['failed']:g}"
+        if limit["more_is_better"]:
+            stable, failed = f"at least {stable}", f"less than {failed}"
+        rows.append([limit["shown"].removesuffix(" %"), stable, failed, limit["text"], limit["reason"]])
+    return reports.table(["measure", "stable up to", "failed beyond", "what it is", "why"], rows)
 
 
 def changes(matrix):
@@ -233,20 +228,20 @@ PAIRS = [
     ("hexes_viscous_deleted", "hexes_viscous")]
 
 
-def write_page(catalogue, results, folder):
+def write_page(catalogue, results):
     matrix = Matrix(catalogue, results)
-    draw(matrix, folder / "stability")
+    draw(matrix)
     cells = [matrix.cell(row, test)[0] for row in matrix.rows for test in matrix.tests]
     commits = sorted({result["commit"] for result in results.values()})
     seconds = sum(result["seconds"] or 0 for result in results.values())
     lines = [HEAD, f"{cells.count('stable')} cells are stable, {cells.count('degraded')} degraded, "
              f"{cells.count('failed')} failed, {cells.count('not run')} have not run. One thread, {seconds:.0f} s for "
              f"all. Commits: {', '.join(commits)}.\n",
-             "![The stability matrix](stability.png)\n", *matrix_table(matrix),
-             defaults(matrix), "\n## What one change does\n", "By class; a cell that stays in its class is not named.\n", *changes(matrix),
+             *count_table(matrix), "![The stability matrix](stability.png)", defaults(matrix),
+             "\n## What one change does\n", "By class; a cell that stays in its class is not named.\n", *changes(matrix),
              "\n## Limits\n", *limit_table(matrix), "\n## Each test\n"]
     for test in matrix.tests:
         lines += test_table(matrix, test)
-    (folder / "stability.md").write_text("\n".join(lines) + "\n")
+    reports.write("stability", lines)
     print(f"{cells.count('stable')} stable, {cells.count('degraded')} degraded, {cells.count('failed')} failed: "
-          "docs/stability.md")
+          "docs/reports/stability.md")

@@ -1,4 +1,4 @@
-"""Runs the verification programs, one test at a time, and writes docs/verification.md with its plots.
+"""Runs the verification programs, one test at a time, and writes docs/reports/verification.md with its plots.
 
 A test writes its rows and curves into the folder named by SWARF_VERIFICATION (tests/verification/case.hpp). They are
 kept in BUILD/verification/results, so that the page can be made again after a part of the cases was run.
@@ -13,10 +13,9 @@ import time
 from fnmatch import fnmatch
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
 import matplotlib.pyplot as plt
+from swarf import reports
 
 LIMIT = float(os.environ.get("SWARF_VERIFY_LIMIT", 7200))  # seconds for one test
 
@@ -31,13 +30,6 @@ def tests_of(program):
             suite = line
 
 
-def commit():
-    def git(*arguments):
-        return subprocess.run(["git", *arguments], capture_output=True, text=True).stdout.strip()
-    changed = git("status", "--porcelain", "--", "include", "kernels", "src", "tests")
-    return (git("rev-parse", "--short", "HEAD") or "not from git") + (" with changes" if changed else "")
-
-
 def run_test(program, test, folder):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -49,8 +41,8 @@ def run_test(program, test, folder):
                                     env=dict(os.environ, SWARF_VERIFICATION=str(folder)), timeout=LIMIT).returncode
         except subprocess.TimeoutExpired:
             status = f"stopped after {LIMIT:g} s"
-    result = {"status": status, "seconds": time.monotonic() - begin, "commit": commit(),
-              "threads": os.environ.get("OMP_NUM_THREADS", "2")}
+    result = {"status": status, "seconds": time.monotonic() - begin, "threads": os.environ.get("OMP_NUM_THREADS", "2"),
+              "commit": reports.commit("include", "kernels", "src", "tests")}
     (folder / "test.json").write_text(json.dumps(result))
     print(f"  {'ok' if status == 0 else 'FAILED'} after {result['seconds']:.1f} s", flush=True)
 
@@ -92,10 +84,6 @@ def error_text(row, key):
     return number(value, 2) if row["absolute"] else f"{100 * value:.2g} %"
 
 
-def cell(text):
-    return text.replace("|", "\\|")
-
-
 def plot(curve, file):
     figure, axes = plt.subplots(figsize=(6.4, 4.2), constrained_layout=True)
     markers = iter("osD^vP*X" * 4)
@@ -119,12 +107,31 @@ def plot(curve, file):
     plt.close(figure)
 
 
-def processor():
-    lines = Path("/proc/cpuinfo").read_text().splitlines() if Path("/proc/cpuinfo").exists() else []
-    return next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), "unknown processor")
+def by_case(rows):
+    found = {}
+    for row in rows:
+        found.setdefault(row["name"], []).append(row)
+    return found
 
 
-def write_page(rows, curves, results, missing, page):
+def summary(cases):
+    """A line for each case."""
+    return reports.table(["case", "rows", "pass", "run time"], [
+        [name, len(rows), "yes" if all(map(passes, rows)) else f"**{len([r for r in rows if not passes(r)])} FAIL**",
+         f"{sum(r['seconds'] or 0 for r in rows):.1f} s"] for name, rows in cases.items()])
+
+
+def case_table(rows, sources):
+    table = []
+    for r in rows:
+        unit = f" {r['unit']}" if r["unit"] else ""
+        source = f" [{sources.index(r['source']) + 1}](#sources)" if r["source"] else ""
+        table.append([r["what"] + source, r["parameters"], number(r["reference"], 6) + unit, number(r["ours"], 6) + unit,
+                      error_text(r, "error"), error_text(r, "allowed"), "yes" if passes(r) else "**FAIL**"])
+    return reports.table(["tests", "parameters", "reference", "ours", "error", "allowed", "pass"], table)
+
+
+def write_page(rows, curves, results, missing):
     sources = list(dict.fromkeys(r["source"] for r in rows if r["source"]))
     bad = [r for r in rows if not passes(r)]
     commits, threads = ({r[key] for r in results} for key in ("commit", "threads"))
@@ -132,30 +139,20 @@ def write_page(rows, curves, results, missing, page):
              "Made by `scripts/verify`; no number here is typed by hand. Every row is an assertion of a test in "
              "tests/verification, where the reason of the allowed error stands beside it. A row that fails is asserted to "
              "fail, and says below why, as far as is known.", "",
-             f"{len(rows) - len(bad)} of {len(rows)} rows pass. Commit {', '.join(sorted(commits))}; "
-             f"{', '.join(sorted(threads))} thread(s) of {processor()}.", "",
-             "| case | tests | parameters | reference | source | ours | error | allowed | pass | run time |",
-             "|---|---|---|---|---|---|---|---|---|---|"]
-    for r in rows:
-        source = f"[{sources.index(r['source']) + 1}](#sources)" if r["source"] else ""
-        unit = f" {r['unit']}" if r["unit"] else ""
-        lines.append("| " + " | ".join([
-            cell(r["name"]), cell(r["what"]), cell(r["parameters"]), number(r["reference"], 6) + unit, source,
-            number(r["ours"], 6) + unit, error_text(r, "error"), error_text(r, "allowed"),
-            "yes" if passes(r) else "**FAIL**", "" if r["seconds"] is None else f"{r['seconds']:.1f} s"]) + " |")
-    lines += ["", "The run time of a test stands in its first row.", ""]
+             f"**{len(rows) - len(bad)} of {len(rows)} rows pass.** Commit {', '.join(sorted(commits))}; "
+             f"{', '.join(sorted(threads))} thread(s) of {reports.processor()}.", *summary(by_case(rows))]
     if missing:
         lines += ["Not run: " + ", ".join(missing) + ".", ""]
     if bad:
         lines += ["## Rows that fail", ""]
         lines += [f"- {r['name']}, {r['what']} ({r['parameters']}): {r['known_fault'] or 'cause not known'}" for r in bad]
-        lines += [""]
+    for name, of_case in by_case(rows).items():
+        lines += ["", f"## {name}", *case_table(of_case, sources)]
     if curves:
         lines += ["## Curves", ""]
         lines += [f"![{c['title']}](verification/{c['file']}.png)" for c in curves]
-        lines += [""]
-    lines += ["## Sources", ""] + [f"{k + 1}. {s}" for k, s in enumerate(sources)]
-    page.write_text("\n".join(lines) + "\n")
+    lines += ["", "## Sources", ""] + [f"{k + 1}. {s}" for k, s in enumerate(sources)]
+    reports.write("verification", lines)
     return bad
 
 
@@ -176,15 +173,15 @@ def main():
             curves += new_curves
             results += [result] if result else []
     rows.sort(key=lambda r: int((re.match(r"\d+", r["name"]) or ["999"])[0]))  # stable: keeps the order of a test
-    pictures = Path("docs/verification")
+    pictures = reports.FOLDER / "verification"
     shutil.rmtree(pictures, ignore_errors=True)
     pictures.mkdir(parents=True)
     for curve in curves:
         plot(curve, pictures / f"{curve['file']}.png")
-    bad = write_page(rows, curves, results, missing, Path("docs/verification.md"))
+    bad = write_page(rows, curves, results, missing)
     for r in bad:
         print(f"FAIL {r['name']}: {r['what']} ({r['parameters']})")
-    print(f"{len(rows) - len(bad)} of {len(rows)} rows pass: docs/verification.md")
+    print(f"{len(rows) - len(bad)} of {len(rows)} rows pass: docs/reports/verification.md")
     return any(result["status"] != 0 for result in results)
 
 

@@ -2,8 +2,10 @@
 should move, and which settings get on with one another."""
 import math
 
-import draw
+from swarf import decks
+
 import points
+import ranking
 from points import MEAN_OF
 from reference import CHEAPER, ENERGY, agrees, no_worse
 
@@ -17,7 +19,7 @@ def level_of_finer(row, rows, found):
     within a limit among others that are not is chance. None if a finer one does not keep its energy, or if the
     settings have run at one spacing only: one run alone may be luck."""
     def level(one):
-        return abs(draw.likely_error(one, found)) + one["cutting_force_error"] / abs(found["cutting_force"].value)
+        return abs(ranking.likely_error(one, found)) + one["cutting_force_error"] / abs(found["cutting_force"].value)
     series = {*MEAN_OF, *MEAN_OF.values()} - {points.STIFFNESS_0}
     if row["group"] in series:
         alike = [one for one in rows if one["group"] == row["group"]]
@@ -55,7 +57,7 @@ def advised(rows, found, limit, name):
     shipped = next((row for row in rows if row["group"] == "committed deck"), None)
     row = min(good, key=lambda one: one["core_seconds"])
     compared = f", {row['core_seconds'] / shipped['core_seconds']:.2g} of the shipped deck" if shipped else ""
-    keys = f" ({row['changes']})" if row["changes"] else ""
+    keys = f" ({decks.describe(row['changes'])})" if row["changes"] else ""
     return (f"For {name} of the cutting force use \"{row['label']}\"{keys}: {row['core_seconds']:.0f} "
             f"core-seconds{compared}.")
 
@@ -66,13 +68,13 @@ def base_of(scene, rows):
 
 def front(scene, rows, found):
     """What is on the front, and whether the shipped settings are."""
-    best = draw.front_of(rows, found)
+    best = ranking.front_of(rows, found)
     base = base_of(scene, rows)
     said = "are on it" if base in best else "are not on it"
     listed = ", ".join(f"{row['label']} ({row['core_seconds']:.3g} core-seconds, "
-                       f"{percent(draw.error_of(row, 'cutting_force', found))})" for row in best)
+                       f"{percent(ranking.error_of(row, 'cutting_force', found))})" for row in best)
     return (f"On the front: {listed}. The shipped settings ({base['label']}, {base['core_seconds']:.3g} core-seconds, "
-            f"{percent(draw.error_of(base, 'cutting_force', found))}) {said}.")
+            f"{percent(ranking.error_of(base, 'cutting_force', found))}) {said}.")
 
 
 def difference(row, base):
@@ -86,7 +88,7 @@ def shipped(scene, rows, found):
     base = base_of(scene, rows)
     value, near = found["cutting_force"].value, []
     for row in rows:
-        gained = (abs(draw.likely_error(base, found)) - abs(draw.likely_error(row, found))) * abs(value)
+        gained = (abs(ranking.likely_error(base, found)) - abs(ranking.likely_error(row, found))) * abs(value)
         known = 2 * math.hypot(row["cutting_force_error"], base["cutting_force_error"])
         kept = abs(row["energy_residual"]) <= ENERGY
         if kept and row["core_seconds"] < CHEAPER * base["core_seconds"] and gained > known:
@@ -95,7 +97,7 @@ def shipped(scene, rows, found):
             f"{', '.join(near)}." if near else "No point that is cheaper than the shipped settings is nearer to the "
             "reference by more than twice the scatter.")
     cheap = [row["label"] for row in rows if row["core_seconds"] <= base["core_seconds"] / 5
-             and no_worse(row, base, found) and draw.level_of(row, found) <= draw.level_of(base, found)]
+             and no_worse(row, base, found) and ranking.level_of(row, found) <= ranking.level_of(base, found)]
     said += (" A fifth of the cost or less, and neither error and scatter together nor, within the scatter, feed force "
              f"or chip thickness any worse: {', '.join(cheap) if cheap else 'none'}.")
     if not near and not cheap:
@@ -123,7 +125,7 @@ def combination(rows):
     said = ""
     if tried:
         kept = [row for row in tried if agrees(row, rows)]
-        best = max(kept, key=lambda row: row["label"].count(" + "))["label"].rsplit(",", 1)[0] if kept else "none"
+        best = decks.describe(max((row["changes"] for row in kept), key=len)) if kept else "none"
         lost = listed(row for row in tried if row not in kept)
         said = (f"Together: of each group the cheapest setting that is no worse, within the scatter, and costs at most "
                 f"{100 * CHEAPER:.0f} % of the base, the cheapest first, tried at dx = {tried[0]['spacing']:.3g} um. "

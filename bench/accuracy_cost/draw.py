@@ -1,20 +1,19 @@
 #!/usr/bin/env python3
 """Draws accuracy against cost from results.csv: a picture of each scene, PNG and SVG,
-docs/accuracy_cost.md, and src/accuracy/chart.toml for the key run.accuracy."""
+docs/reports/accuracy_cost.md, and src/accuracy/chart.toml for the key run.accuracy."""
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
 import matplotlib.pyplot as plt
 import numpy
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
-import labels
+from swarf import labels, reports
+
 import page
 import physics
+import ranking
 import results
 import transfer
 from points import MEAN_OF
@@ -22,47 +21,8 @@ from reference import ENERGY, combine, references, widen
 from scenes import SCENES
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-DOCS = ROOT / "docs"
 MARKERS = "osD^v<>pPXhd*"
-ASIDE = ("combination", "at the limit")  # groups that are tried, not charted
 FLOOR = 0.1  # of the band's height: a smaller error is drawn here
-
-
-def error_of(row, quantity, found):
-    """Relative error, or None."""
-    if quantity not in found or row.get(quantity) is None:
-        return None
-    return found[quantity].error(row[quantity])
-
-
-def likely_error(row, found):
-    """Of the cutting force; of the mean of three where it is known: where one run met the rows is luck."""
-    return found["cutting_force"].error(row.get("cutting_force_of_three", row["cutting_force"]))
-
-
-def label_of(row):
-    repeated = row["runs"] > 1 and row["group"] not in MEAN_OF.values()
-    return f"{row['label']} ({row['runs']} runs)" if repeated else row["label"]
-
-
-def level_of(row, found):
-    """Error and standard error together, no less than what the reference is known to."""
-    reference = found["cutting_force"]
-    return max(abs(likely_error(row, found)) + row["cutting_force_error"] / abs(reference.value), reference.relative,
-               1e-12)
-
-
-def front_of(rows, found):
-    """Points that no cheaper one beats: not by chance, so with their scatter. Points that do not keep their energy
-    cannot be on it."""
-    front, best = [], numpy.inf
-    kept = [row for row in rows if abs(row["energy_residual"]) <= ENERGY]
-    for row in sorted(kept, key=lambda one: (one["core_seconds"], level_of(one, found))):
-        if level_of(row, found) < best:
-            front.append(row)
-            best = level_of(row, found)
-    return front
 
 
 def set_axes(axes, rows, errors, reference):
@@ -87,7 +47,7 @@ def set_axes(axes, rows, errors, reference):
 def draw_front(axes, rows, found, bottom):
     """Returns points along the line, for labels to keep clear of."""
     costs = [row["core_seconds"] for row in rows]
-    levels = [max(100 * level_of(row, found), bottom) for row in rows]
+    levels = [max(100 * ranking.level_of(row, found), bottom) for row in rows]
     costs.append(axes.get_xlim()[1])
     levels.append(levels[-1])
     axes.step(costs, levels, where="post", color="C3", linewidth=1.2, zorder=1,
@@ -100,20 +60,20 @@ def draw_front(axes, rows, found, bottom):
 
 def draw_cost(axes, figure, scene, rows, found):
     reference = found["cutting_force"]
-    errors = {row["label"]: 100 * abs(error_of(row, "cutting_force", found)) for row in rows}
+    errors = {row["label"]: 100 * abs(ranking.error_of(row, "cutting_force", found)) for row in rows}
     bottom = set_axes(axes, rows, errors, reference)
     figure.canvas.draw()
     figure.set_layout_engine("none")  # labels are placed in the frame as it is now
-    front = front_of(rows, found)
-    line = draw_front(axes, front, found, bottom)
+    best = ranking.front_of(rows, found)
+    line = draw_front(axes, best, found, bottom)
     groups = list(dict.fromkeys(row["group"] for row in rows))
     marks = []
     for row in rows:
         x, y = row["core_seconds"], max(errors[row["label"]], 1.05 * bottom)
-        marks.append((x, y, label_of(row)))
+        marks.append((x, y, ranking.label_of(row)))
         scatter = 200 * (row["cutting_force_error"] or 0) / abs(reference.value)
         axes.plot([x, x], [max(y - scatter, bottom), y + scatter], color="0.8", linewidth=0.8, zorder=2)
-        axes.plot(x, y, MARKERS[groups.index(row["group"]) % len(MARKERS)], color="C3" if row in front else "0.25",
+        axes.plot(x, y, MARKERS[groups.index(row["group"]) % len(MARKERS)], color="C3" if row in best else "0.25",
                   markersize=4, zorder=4, fillstyle="full" if abs(row["energy_residual"]) <= ENERGY else "none")
         if row["group"] == "committed deck":
             axes.plot(x, y, "*", color="C0", markersize=13, zorder=3, label="shipped deck, whole")
@@ -140,18 +100,16 @@ def draw_convergence(axes, reference):
 def draw(scene, rows, found):
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.7, 8.3), dpi=150, width_ratios=(2.6, 1),
                                          layout="constrained")
-    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in ASIDE]
+    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in ranking.ASIDE]
     note = "3 x: mean of three uncut thicknesses" if any(row["group"] in MEAN_OF.values() for row in rows) else ""
     figure.suptitle(f"Accuracy against cost: {scene.title}", fontsize=11)
     left.set_title(note, fontsize=8)
     draw_convergence(right, found["cutting_force"])
-    failed = [row["label"] for row in rows if row["status"] != "complete" and row["group"] not in ASIDE]
+    failed = [row["label"] for row in rows if row["status"] != "complete" and row["group"] not in ranking.ASIDE]
     if failed:
         figure.supxlabel("did not end: " + ", ".join(failed), fontsize=7)
     draw_cost(left, figure, scene, complete, found)
-    for kind in ("png", "svg"):
-        figure.savefig(DOCS / f"accuracy_cost_{scene.name}.{kind}", metadata={"Date": None} if kind == "svg" else None)
-    plt.close(figure)
+    reports.save(figure, f"accuracy_cost_{scene.name}")
 
 
 def main():
@@ -168,8 +126,8 @@ def main():
         draw(scene, ours, found)
         drawn[scene.name] = ({row["label"] for row in runs}, ours, found)
     if drawn:
-        (DOCS / "accuracy_cost.md").write_text(page.text(drawn, rows))
-        (ROOT / "src/accuracy/chart.toml").write_text(transfer.text(drawn, SCENES, ROOT))
+        reports.write("accuracy_cost", page.lines(drawn, rows))
+        (reports.ROOT / "src/accuracy/chart.toml").write_text(transfer.text(drawn, SCENES, reports.ROOT))
 
 
 if __name__ == "__main__":

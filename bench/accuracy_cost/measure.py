@@ -1,36 +1,27 @@
 """What a finished run says: forces with their statistical error, chip thickness, temperatures, cost."""
-import csv
-import json
 import math
 
 import numpy
 
-import decks
-import vtu
+import swarf
+from swarf import si
 
 BLOCKS = 6  # of the averaging window: enough to see the scatter, each longer than a swing of the force
-
-
-def history(folder):
-    with open(folder / "history.csv") as file:
-        names = [name.split(" [")[0] for name in next(csv.reader(file))]
-        rows = numpy.loadtxt(file, delimiter=",", ndmin=2)
-    return dict(zip(names, rows.T))
 
 
 def tool_frame(deck, time):
     """Lowest point of the edge, direction of the cut and direction away from the finished surface, in the plane."""
     tool = deck["tool"]
-    position = numpy.array([decks.si(one) for one in tool["position"][:2]])
+    position = numpy.array([si(one) for one in tool["position"][:2]])
     if tool["kind"] == "wedge":
-        velocity = numpy.array([decks.si(one) for one in tool["velocity"][:2]])
+        velocity = numpy.array([si(one) for one in tool["velocity"][:2]])
         return position + velocity * time, numpy.array([1.0, 0.0]), numpy.array([0.0, 1.0])
-    speed = decks.si(tool["spindle_speed"])
-    feed = decks.si(tool["feed_per_tooth"]) * tool["flutes"] * speed / (2 * math.pi)
+    speed = si(tool["spindle_speed"])
+    feed = si(tool["feed_per_tooth"]) * tool["flutes"] * speed / (2 * math.pi)
     axis = position + feed * time * numpy.array(tool["feed_direction"][:2])
-    immersion = decks.si(tool["start_angle"]) + speed * time  # clockwise from +y
+    immersion = si(tool["start_angle"]) + speed * time  # clockwise from +y
     radial = numpy.array([math.sin(immersion), math.cos(immersion)])
-    return (axis + decks.si(tool["diameter"]) / 2 * radial,
+    return (axis + si(tool["diameter"]) / 2 * radial,
             numpy.array([math.cos(immersion), -math.sin(immersion)]), -radial)
 
 
@@ -58,35 +49,31 @@ def mean_and_error(time, values, begin, end, trend):
     return float(mean), float(numpy.std(means, ddof=1) / math.sqrt(BLOCKS))
 
 
-def material_points(folder, frame):
+def material_points(frame):
     """Position, volume and temperature of particles and of the hexes that are left."""
     parts = []
-    particles = folder / "frames" / f"frame_{frame:04d}_particles.vtu"
-    if particles.exists():
-        data = vtu.read(particles)
-        parts.append((data["position"], data["volume"], data["temperature"]))
-    hexes = folder / "frames" / f"frame_{frame:04d}_hexes.vtu"
-    if hexes.exists():
-        data = vtu.read(hexes)
-        centre = data["position"][data["connectivity"].reshape(-1, 8)].mean(axis=1)
-        alive = data["active"] > 0
-        parts.append((centre[alive], data["volume"][alive], data["temperature"][alive]))
+    if particles := frame.particles:
+        parts.append((particles["position"], particles["volume"], particles["temperature"]))
+    if hexes := frame.hexes:
+        centre = hexes["position"][hexes["connectivity"]].mean(axis=1)
+        alive = hexes["active"] > 0
+        parts.append((centre[alive], hexes["volume"][alive], hexes["temperature"][alive]))
     return [numpy.concatenate(one).astype(float) for one in zip(*parts)]
 
 
-def chip_of(deck, folder, frame, time, uncut, width):
+def chip_of(deck, frame, uncut, width):
     """Thickness and mean temperature of the chip on the rake face.
 
     Measured where the chip is free of the work: from where the rake face is 1.1 uncut thicknesses above the
     finished surface, over half an uncut thickness along the face. Thickness = volume there / width / that length:
     a mean normal to the rake face. None while the chip does not yet reach half an uncut thickness further.
     """
-    tip, cut, away = tool_frame(deck, time)
+    tip, cut, away = tool_frame(deck, frame.time)
     tool = deck["tool"]
-    rake, radius = decks.si(tool["rake"]), decks.si(tool["edge_radius"])
+    rake, radius = si(tool["rake"]), si(tool["edge_radius"])
     normal = math.cos(rake) * cut + math.sin(rake) * away
     along = math.cos(rake) * away - math.sin(rake) * cut
-    position, volume, temperature = material_points(folder, frame)
+    position, volume, temperature = material_points(frame)
     from_centre = position[:, :2] - (tip + radius * away)
     s, d = from_centre @ along, from_centre @ normal - radius
     begin = (1.1 * uncut - radius * (1 + math.sin(rake))) / math.cos(rake)
@@ -101,20 +88,17 @@ def chip_of(deck, folder, frame, time, uncut, width):
     return volume[here].sum() / width / (0.5 * uncut), numpy.average(temperature[here], weights=volume[here])
 
 
-def mean_chip(deck, folder, scene, begin, end):
-    found = []
-    with open(folder / "frames.csv") as file:
-        for row in csv.DictReader(file):
-            time = float(row["time [s]"])
-            if begin < time <= end * 1.001:
-                found.append(chip_of(deck, folder, int(row["frame"]), time, scene.uncut(deck, time), scene.width(deck)))
+def mean_chip(deck, frames, scene, begin, end):
+    found = [chip_of(deck, frame, scene.uncut(deck, frame.time), scene.width(deck)) for frame in frames
+             if begin < frame.time <= end * 1.001]
     found = [one for one in found if one]
     return tuple(float(one) for one in numpy.mean(found, axis=0)) if found else (None, None)
 
 
 def measure(deck, folder, scene):
     """One row of the results."""
-    summary = json.loads((folder / "summary.json").read_text())
+    run = swarf.read(folder)
+    summary = run.summary
     why = summary["why"] if summary["ended"] == "failed" or summary["why"] == "SIGXCPU" else summary["ended"]
     row = {"status": why, "core_seconds": summary["cost"]["cpu_seconds"],
            "particles": summary["particles"], "hexes": summary["hexes"], "steps": summary["steps"],
@@ -125,14 +109,14 @@ def measure(deck, folder, scene):
            if summary["energies"]["external_work"] else None,
            "kinetic_share": summary["energies"]["kinetic_energy"] / summary["energies"]["external_work"]
            if summary["energies"]["external_work"] else None}
-    if summary["ended"] != "complete":
+    if not run.is_complete:
         return row
-    table = history(folder)
+    table = run.history
     begin, end = scene.window(deck, table["time"][-1])
     for name, values in zip(("cutting_force", "feed_force"), cutting_forces(deck, table)):
         row[name], row[name + "_error"] = mean_and_error(table["time"], values, begin, end, scene.trend)
     inside = (table["time"] > begin) & (table["time"] <= end * (1 + 1e-12))
     row["max_temperature"] = float(table["max_temperature"][inside].mean())
     row["uncut_thickness"] = scene.uncut(deck, (begin + end) / 2)
-    row["chip_thickness"], row["chip_temperature"] = mean_chip(deck, folder, scene, begin, end)
+    row["chip_thickness"], row["chip_temperature"] = mean_chip(deck, run.frames, scene, begin, end)
     return row

@@ -1,20 +1,29 @@
-"""docs/accuracy_cost.md: the pictures, what to take from them and the table, all from the results."""
+"""docs/reports/accuracy_cost.md: the pictures, what to take from them and the table, all from the results."""
+from swarf import decks, reports
+
 import advise
-import draw
 import physics
 import physics_page
 import points
+import ranking
 from points import MEAN_OF
 from reference import ENERGY, QUANTITIES
 from scenes import SCENES
 
 HEAD = """# Accuracy against cost
 
-Made by `bench/accuracy_cost/run`; every number is from `bench/accuracy_cost/results.csv`. Cost is the processor time
-of the whole program on one thread, so it does not count waiting for other programs. One setting is changed at a time
-from the committed decks, in a shorter form of them (`bench/accuracy_cost/scenes.py`); "together" has the best setting
-of each at once, but those that lose the energy balance with others. "3 x" is the mean of three runs: at the uncut
-thickness and at a third of a spacing more and less, so that the edge meets the rows of particles at three places.
+Made by `bench/accuracy_cost/run`; every number is from `bench/accuracy_cost/results.csv`, and measured as said
+[at the end](#how-it-is-measured).
+"""
+
+METHOD = """
+## How it is measured
+
+Cost is the processor time of the whole program on one thread, so it does not count waiting for other programs. One
+setting is changed at a time from the committed decks, in a shorter form of them (`bench/accuracy_cost/scenes.py`);
+"together" has the best setting of each at once, but those that lose the energy balance with others. "3 x" is the mean
+of three runs: at the uncut thickness and at a third of a spacing more and less, so that the edge meets the rows of
+particles at three places.
 
 - Cutting force: component against the motion of the edge, feed force: away from the finished surface.
   {windows}
@@ -52,20 +61,21 @@ def reference_lines(found):
 
 def table(rows, found):
     names = [quantity for quantity in QUANTITIES if quantity in found]
-    yield ("| swept | point | core-s | M particle-steps | " + " | ".join(f"{QUANTITIES[name]}" for name in names)
-           + " | F_c, N | F_f, N | h_c / h | energy residual | keys changed |")
-    yield "|" + "---|" * (9 + len(names))
+    head = ["point", "core-s", *(QUANTITIES[name] for name in names), "energy residual", "M particle-steps", "F_c, N",
+            "F_f, N", "h_c / h", "swept", "keys changed"]
+    cells = []
     for row in sorted(rows, key=lambda one: (one["group"], one["core_seconds"] or 0)):
-        errors = " | ".join(advise.percent(draw.error_of(row, name, found)) for name in names)
         ratio = row["chip_thickness"] / row["uncut_thickness"] if row.get("chip_thickness") else None
-        forces = " | ".join(f"{row[name]:.4g} +- {row[name + '_error']:.2g}" if row.get(name) is not None else "-"
-                            for name in ("cutting_force", "feed_force"))
-        said = row["changes"] or "-"
+        said = decks.describe(row["changes"]) or "-"
         if row["status"] != "complete":
-            said = f"**{row['status'].replace('|', '/')}** {row['changes']}"
+            said = f"**{row['status']}** {said}"
         steps = row["particle_steps"] / 1e6 if row.get("particle_steps") is not None else None
-        yield (f"| {row['group']} | {draw.label_of(row)} | {_number(row['core_seconds'])} | {_number(steps)} | "
-               f"{errors} | {forces} | {_number(ratio)} | {advise.percent(row.get('energy_residual'))} | {said} |")
+        cells.append([ranking.label_of(row), _number(row["core_seconds"]),
+                      *(advise.percent(ranking.error_of(row, name, found)) for name in names),
+                      advise.percent(row.get("energy_residual")), _number(steps),
+                      *(f"{row[name]:.4g} +- {row[name + '_error']:.2g}" if row.get(name) is not None else "-"
+                        for name in ("cutting_force", "feed_force")), _number(ratio), row["group"], said])
+    return reports.table(head, cells)
 
 
 SHARED = ("mass 1e2", "mass 1e3", "courant 0.5", "viscosity 0", "slice 6 dx", "slice 12 dx", "work 400 um",
@@ -122,18 +132,21 @@ def hourglass_over_spacing(rows):
             + (f"With other settings: {others}." if others else ""))
 
 
+def series_of(scene):
+    return {point.label for point in points.points_of(scene) if point.group == "spacing" and not point.full}
+
+
 def section(name, tried, rows, found):
     scene = SCENES[name]
     planned = {point.label for point in points.points_of(scene) if not point.full}
     missing = [point.label for point in points.points_of(scene) if point.label in planned - tried]
-    spacings = {point.label for point in points.points_of(scene) if point.group == "spacing" and not point.full}
-    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in draw.ASIDE]
-    failed = [row for row in rows if row["status"] != "complete" and row["group"] not in draw.ASIDE]
+    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in ranking.ASIDE]
+    failed = [row for row in rows if row["status"] != "complete" and row["group"] not in ranking.ASIDE]
     yield f"\n## {scene.title.capitalize()}\n"
     yield f"![Error of the cutting force against core-seconds](accuracy_cost_{name}.png)\n"
     if missing:
         yield f"Not finished: {len(missing)} of {len(planned)} points have not run: {', '.join(missing)}.\n"
-    if spacings <= tried:
+    if series_of(scene) <= tried:
         yield advise.advice(complete, found) + " " + advise.front(scene, complete, found) + "\n"
     else:
         yield "The series of spacings is not whole, so there is no reference to conclude from.\n"
@@ -149,21 +162,34 @@ def section(name, tried, rows, found):
     if stiffness := stiffness_over_spacing(complete):
         yield stiffness + "\n"
     yield hourglass_over_spacing(complete) + "\n"
-    yield "\n".join(table(rows, found))
+    yield from table(rows, found)
 
 
-def text(drawn, runs):
-    orthogonal, milling = SCENES["orthogonal"], SCENES["milling"]
-    windows = (f"Means over the last {100 * orthogonal.averaged:.0f} % of the orthogonal cut, and over immersion "
-               f"{milling.immersion[0]:.0f} to {milling.immersion[1]:.0f} deg of the mill.")
-    lines = [HEAD.format(windows=windows, energy=100 * ENERGY)]
+def summary(name, tried, rows, found):
+    """The reference, what to use, and what is shipped, in a few lines."""
+    scene, reference = SCENES[name], found["cutting_force"]
+    complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in ranking.ASIDE]
+    base = advise.base_of(scene, complete)
+    advice = (advise.advice(complete, found) if series_of(scene) <= tried else
+              "The series of spacings is not whole, so nothing is advised.")
+    return (f"- **{scene.title.capitalize()}**: cutting force {reference.value:.3g} N, known to "
+            f"{100 * reference.relative:.1f} %. {advice} The shipped settings: {base['core_seconds']:.3g} core-seconds, "
+            f"{advise.percent(ranking.error_of(base, 'cutting_force', found))}.")
+
+
+def lines(drawn, runs):
+    yield HEAD
+    yield from (summary(name, *one) for name, one in drawn.items())
     for name, (tried, rows, found) in drawn.items():
-        lines += section(name, tried, rows, found)
+        yield from section(name, tried, rows, found)
         if name == physics.SCENE.name and any(row["group"] == physics.GROUP for row in runs):
-            lines += physics_page.section(runs, advise.base_of(SCENES[name], rows), found)
+            yield from physics_page.section(runs, advise.base_of(SCENES[name], rows), found)
     for scene in SCENES.values():
         if scene.name not in drawn:
             tried = sum(row["scene"] == scene.name for row in runs)
             planned = sum(not point.full for point in points.points_of(scene))
-            lines.append(f"\n## {scene.title.capitalize()}\n\n{tried} of {planned} points have run: too few to draw.")
-    return "\n".join(lines) + "\n"
+            yield f"\n## {scene.title.capitalize()}\n\n{tried} of {planned} points have run: too few to draw."
+    orthogonal, milling = SCENES["orthogonal"], SCENES["milling"]
+    windows = (f"Means over the last {100 * orthogonal.averaged:.0f} % of the orthogonal cut, and over immersion "
+               f"{milling.immersion[0]:.0f} to {milling.immersion[1]:.0f} deg of the mill.")
+    yield METHOD.format(windows=windows, energy=100 * ENERGY)

@@ -1,6 +1,7 @@
 """What the forces hang on: the base scene of the orthogonal cut with one physical input changed. These points answer
 another question than the sweep's, so they are in neither its chart nor its front."""
-import decks
+from swarf import quantity, si
+
 from points import Point, setter
 from scenes import SCENES
 
@@ -10,10 +11,10 @@ SCENE = SCENES["orthogonal"]
 
 def edge_radius(radius):
     def change(deck):
-        moved = decks.si(deck["tool"]["edge_radius"]) - radius
-        deck["tool"]["edge_radius"] = decks.length(radius)
+        moved = si(deck["tool"]["edge_radius"]) - radius
+        deck["tool"]["edge_radius"] = quantity(radius, "um")
         position = deck["tool"]["position"]  # of the lowest point: the front of the edge stays where it was
-        position[0] = decks.length(decks.si(position[0]) + moved)
+        position[0] = quantity(si(position[0]) + moved, "um")
     return change
 
 
@@ -24,7 +25,7 @@ def material(**values):
 def harder(share):
     def change(deck):
         law = next(iter(deck["material"].values()))
-        law["A"] = f"{decks.si(law['A']) * (1 + share) / 1e6:.6g} MPa"
+        law["A"] = quantity(si(law["A"]) * (1 + share), "MPa", 6)
     return change
 
 

@@ -1,23 +1,22 @@
-"""The part of docs/accuracy_cost.md that says what the forces hang on: changes by one physical input each."""
+"""The part of docs/reports/accuracy_cost.md that says what the forces hang on: changes by one physical input each."""
 import csv
 import itertools
 import math
-import pathlib
 import statistics
 
-import decks
+from swarf import decks, reports, si
+
 import physics
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-MEASURED = ROOT / "tests/verification/data/ti64_orthogonal_cutting.csv"
+MEASURED = reports.ROOT / "tests/verification/data/ti64_orthogonal_cutting.csv"
 ALIKE = ("repeat", "courant", "mass", "diffusion")  # groups that differ from the base by chance, as far as physics goes
 NAMES = {"cutting_force": ("F_c", "Fc"), "feed_force": ("F_f", "Ff"), "ratio": ("h_c / h", "ratio")}
 
 
 def measured():
     """{quantity: value and two standard deviations} at the speed and the depth of the deck."""
-    deck = decks.read(ROOT / physics.SCENE.deck_file)
-    speed, depth = decks.si(deck["tool"]["velocity"][0]) * 60, physics.SCENE.uncut(deck, 0) * 1e6
+    deck = decks.read(reports.ROOT / physics.SCENE.deck_file)
+    speed, depth = si(deck["tool"]["velocity"][0]) * 60, physics.SCENE.uncut(deck, 0) * 1e6
     with open(MEASURED) as file:
         rows = csv.DictReader(line for line in file if not line.startswith("#"))
         row = next(one for one in rows if math.isclose(float(one["vc_m_min"]), speed)
@@ -61,7 +60,7 @@ def text_of(value, error):
 
 
 def input_of(row):
-    return row["changes"].split(" = ")[0].removeprefix("no ")
+    return next(iter(row["changes"]))
 
 
 def limits(base, found):
@@ -134,8 +133,8 @@ def directions(changes, ours, target):
 
 def edge_for_feed_force(changes, ours, target):
     """The radius of the edge, linear between the sharper one and the deck's, that gives the measured F_f."""
-    deck = decks.read(ROOT / physics.SCENE.deck_file)
-    radius, sharper = decks.si(deck["tool"]["edge_radius"]), "edge radius 10 um"
+    deck = decks.read(reports.ROOT / physics.SCENE.deck_file)
+    radius, sharper = si(deck["tool"]["edge_radius"]), "edge radius 10 um"
     if sharper not in changes:
         return
     wanted = target["feed_force"][0] / ours["feed_force"][0] - 1
@@ -164,15 +163,14 @@ def section(runs, base, found):
     yield " ".join([gap(base, ours, target), hangs_on("cutting_force", changes), hangs_on("feed_force", changes),
                     *directions(changes, ours, target), *edge_for_feed_force(changes, ours, target),
                     *closing(rows, ours, changes, target)]) + "\n"
-    yield "| input | F_c, N | F_f, N | h_c / h | F_c | F_f | h_c / h | highest temperature, K | keys changed |"
-    yield "|" + "---|" * 9
-    order = [point.label for point in physics.POINTS]
+    head = ["input", "F_c, N", "F_f, N", "h_c / h", "F_c", "F_f", "h_c / h", "highest temperature, K", "keys changed"]
+    table, order = [], [point.label for point in physics.POINTS]
     for row in [base] + sorted(rows, key=lambda one: order.index(one["label"])):
-        ours = values(row)
-        numbers = " | ".join(f"{ours[name][0]:.3g}" if name in ours else "-" for name in NAMES)
-        moved = changes.get(row["label"], {})
-        shifts = " | ".join(text_of(*moved[name]) if name in moved else "-" for name in NAMES)
-        label = f"base ({row['runs']} runs)" if row is base else row["label"]
-        yield f"| {label} | {numbers} | {shifts} | {row['max_temperature']:.0f} | {row['changes'] or '-'} |"
-    theirs = " | ".join(f"{value:.3g} +- {two_sigma:.2g}" for value, two_sigma in target.values())
-    yield f"| measured (Ducobu et al. 2024; 2 sigma) | {theirs} | - | - | - | - | - |"
+        ours, moved = values(row), changes.get(row["label"], {})
+        table.append([f"base ({row['runs']} runs)" if row is base else row["label"],
+                      *(f"{ours[name][0]:.3g}" if name in ours else "-" for name in NAMES),
+                      *(text_of(*moved[name]) if name in moved else "-" for name in NAMES),
+                      f"{row['max_temperature']:.0f}", decks.describe(row["changes"]) or "-"])
+    table.append(["measured (Ducobu et al. 2024; 2 sigma)",
+                  *(f"{value:.3g} +- {two_sigma:.2g}" for value, two_sigma in target.values()), *"-----"])
+    yield from reports.table(head, table)

@@ -3,7 +3,8 @@ import copy
 from dataclasses import dataclass, replace
 from typing import Callable
 
-import decks
+from swarf import decks, quantity
+
 from scenes import SCENES
 
 
@@ -37,7 +38,7 @@ class Point:
         """What was replaced in the committed deck beside the shortening and the refinement of all points."""
         deck = self.deck(root)
         if self.committed:
-            return ""
+            return {}
         return decks.changes(deck, Point(self.scene, "", "", spacing=self.spacing).deck(root))
 
 
@@ -120,7 +121,7 @@ METHOD = [
 def asleep(scene, count):
     """What is farther than so many spacings from the action sleeps."""
     def change(deck):
-        deck["sleep"] = {"distance": decks.length(count * scene.spacing_of(deck))}
+        deck["sleep"] = {"distance": quantity(count * scene.spacing_of(deck), "um")}
     return change
 
 
@@ -128,7 +129,7 @@ def retired(scene, count):
     """Spent chip leaves as well that is farther than so many spacings from all."""
     def change(deck):
         asleep(scene, 24)(deck)
-        deck["retire"] = {"distance": decks.length(count * scene.spacing_of(deck))}
+        deck["retire"] = {"distance": quantity(count * scene.spacing_of(deck), "um")}
     return change
 
 
@@ -141,7 +142,7 @@ def converting(scene, count):
         spacing = scene.spacing_of(deck)
         scene.fill_all(deck, "hexes")
         scene.coarsen(deck)
-        decks.body(deck, "work")["convert_distance"] = decks.length(count * spacing)
+        decks.body(deck, "work")["convert_distance"] = quantity(count * spacing, "um")
     return change
 
 

@@ -1,7 +1,7 @@
 """The two scenes of the sweep: a shorter form of each committed deck, how to refine it, and what is measured in it."""
 import math
 
-import decks
+from swarf import decks, quantity, si
 
 
 class Orthogonal:
@@ -20,18 +20,18 @@ class Orthogonal:
         self.set_cut(deck, self.cut_time)
 
     def set_cut(self, deck, time):
-        deck["run"]["end_time"] = f"{time * 1e3:.6g} ms"
-        cut = decks.si(deck["tool"]["position"][0]) + decks.si(deck["tool"]["velocity"][0]) * time
-        self.set_length(deck, 40e-6 * round((cut + decks.si(deck["tool"]["edge_radius"]) + self.ahead) / 40e-6))
+        deck["run"]["end_time"] = quantity(time, "ms", 6)
+        cut = si(deck["tool"]["position"][0]) + si(deck["tool"]["velocity"][0]) * time
+        self.set_length(deck, 40e-6 * round((cut + si(deck["tool"]["edge_radius"]) + self.ahead) / 40e-6))
 
     def set_length(self, deck, length):
         for one in deck["body"]:
-            one["size"][0] = decks.length(length)
+            one["size"][0] = quantity(length, "um")
         self.prepare_output(deck)
 
     def prepare_output(self, deck):
         deck["output"] = {"force_scale": 1e-3 / self.width(deck), "history_steps": 10,
-                          "frame_time": f"{self.averaged / 5 * decks.end_time(deck) * 1e6:.6g} us"}
+                          "frame_time": quantity(self.averaged / 5 * decks.end_time(deck), "us", 6)}
 
     def set_spacing(self, deck, spacing):
         decks.body(deck, "cut zone")["spacing"] = f"{spacing:.9g} um"
@@ -39,35 +39,35 @@ class Orthogonal:
         self.set_slice(deck, 4)
 
     def set_slice(self, deck, count):
-        width = count * decks.si(deck["body"][0]["spacing"])
+        width = count * si(deck["body"][0]["spacing"])
         for one in deck["body"]:
-            one["size"][2] = decks.length(width)
-        deck["tool"]["width"] = decks.length(3 * width)
-        deck["tool"]["position"][2] = decks.length(width / 2)
+            one["size"][2] = quantity(width, "um")
+        deck["tool"]["width"] = quantity(3 * width, "um")
+        deck["tool"]["position"][2] = quantity(width / 2, "um")
         self.prepare_output(deck)
 
     def thicken(self, deck, more):
         position = deck["tool"]["position"]
-        position[1] = decks.length(decks.si(position[1]) - more)
+        position[1] = quantity(si(position[1]) - more, "um")
 
     def set_band(self, deck, below):
         """Depth of the particles below the finished surface; hexes fill what was there before."""
         cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
-        bottom, chip = decks.si(bulk["origin"][1]), self.uncut(deck, 0)
-        cut_zone["origin"][1], cut_zone["size"][1] = decks.length(-below), decks.length(below + chip)
-        bulk["size"][1] = decks.length(-below - bottom)
+        bottom, chip = si(bulk["origin"][1]), self.uncut(deck, 0)
+        cut_zone["origin"][1], cut_zone["size"][1] = quantity(-below, "um"), quantity(below + chip, "um")
+        bulk["size"][1] = quantity(-below - bottom, "um")
 
     def fill_all(self, deck, fill):
         cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
-        top = decks.si(cut_zone["origin"][1]) + decks.si(cut_zone["size"][1])
+        top = si(cut_zone["origin"][1]) + si(cut_zone["size"][1])
         bulk.update(name="work", fill=fill, spacing=cut_zone["spacing"])
-        bulk["size"][1] = decks.length(top - decks.si(bulk["origin"][1]))
+        bulk["size"][1] = quantity(top - si(bulk["origin"][1]), "um")
         deck["body"] = [bulk]
 
     def coarsen(self, deck):
         """The one body in cells twice as large."""
         work = decks.body(deck, "work")
-        work["spacing"] = decks.length(2 * decks.si(work["spacing"]))
+        work["spacing"] = quantity(2 * si(work["spacing"]), "um")
 
     def only_cut_zone(self, deck):
         cut_zone = decks.body(deck, "cut zone")
@@ -76,14 +76,14 @@ class Orthogonal:
         deck["body"] = [cut_zone]
 
     def spacing_of(self, deck):
-        return decks.si(decks.body(deck, "cut zone")["spacing"])
+        return si(decks.body(deck, "cut zone")["spacing"])
 
     def uncut(self, deck, time):
         one = deck["body"][0]
-        return decks.si(one["origin"][1]) + decks.si(one["size"][1]) - decks.si(deck["tool"]["position"][1])
+        return si(one["origin"][1]) + si(one["size"][1]) - si(deck["tool"]["position"][1])
 
     def width(self, deck):
-        return decks.si(deck["body"][0]["size"][2])
+        return si(deck["body"][0]["size"][2])
 
     def window(self, deck, end):
         return (1 - self.averaged) * end, end
@@ -106,7 +106,7 @@ class Milling:
 
     def set_sector(self, deck, begin):
         for one in deck["body"]:
-            start, end = (decks.si(one[key]) for key in ("start_angle", "end_angle"))
+            start, end = (si(one[key]) for key in ("start_angle", "end_angle"))
             share = (end - math.radians(begin)) / (end - start)
             one["cells"][0] = round(one["cells"][0] * share)
             one["start_angle"] = f"{begin} deg"
@@ -117,11 +117,11 @@ class Milling:
     def set_entry(self, deck, immersion):
         """A later entry: less cut before the window of the average."""
         for one in deck["body"]:
-            start, end = (decks.si(one[key]) for key in ("start_angle", "end_angle"))
+            start, end = (si(one[key]) for key in ("start_angle", "end_angle"))
             later = end - math.radians(immersion - self.entry)
             one["cells"][0] = round(one["cells"][0] * (later - start) / (end - start))
-            one["end_angle"] = f"{math.degrees(later):.6g} deg"
-        angle = math.degrees(decks.si(deck["tool"]["start_angle"])) + immersion - self.entry
+            one["end_angle"] = quantity(later, "deg", 6)
+        angle = math.degrees(si(deck["tool"]["start_angle"])) + immersion - self.entry
         deck["tool"]["start_angle"] = f"{angle:.6g} deg"
 
     def set_spacing(self, deck, spacing):
@@ -134,9 +134,9 @@ class Milling:
 
     def _set_height(self, deck, height):
         for one in deck["body"]:
-            one["height"] = decks.length(height)
-        deck["tool"]["length"] = decks.length(3 * height)
-        deck["tool"]["position"][2] = decks.length(-height)
+            one["height"] = quantity(height, "um")
+        deck["tool"]["length"] = quantity(3 * height, "um")
+        deck["tool"]["position"][2] = quantity(-height, "um")
         self.prepare_output(deck)
 
     def set_slice(self, deck, count):
@@ -148,24 +148,24 @@ class Milling:
 
     def thicken(self, deck, more):
         tool = deck["tool"]
-        tool["feed_per_tooth"] = decks.length(decks.si(tool["feed_per_tooth"]) + more)
+        tool["feed_per_tooth"] = quantity(si(tool["feed_per_tooth"]) + more, "um")
 
     def set_band(self, deck, rows):
         """Rows of particles along the radius, more or fewer; hexes fill what was there before."""
         cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
-        inner, border = decks.si(cut_zone["inner_radius"]), decks.si(cut_zone["outer_radius"])
-        cell = (border - inner + decks.si(deck["tool"]["feed_per_tooth"])) / cut_zone["cells"][2]
+        inner, border = si(cut_zone["inner_radius"]), si(cut_zone["outer_radius"])
+        cell = (border - inner + si(deck["tool"]["feed_per_tooth"])) / cut_zone["cells"][2]
         moved = border + rows * cell
-        share = (decks.si(bulk["outer_radius"]) - moved) / (decks.si(bulk["outer_radius"]) - border)
+        share = (si(bulk["outer_radius"]) - moved) / (si(bulk["outer_radius"]) - border)
         cut_zone["cells"][2] += rows
-        cut_zone["outer_radius"] = bulk["inner_radius"] = decks.length(moved)
+        cut_zone["outer_radius"] = bulk["inner_radius"] = quantity(moved, "um")
         bulk["cells"][2] = round(bulk["cells"][2] * share)
 
     def fill_all(self, deck, fill):
         cut_zone, bulk = decks.body(deck, "cut zone"), decks.body(deck, "bulk")
-        inner, border, outer = (decks.si(one) for one in
+        inner, border, outer = (si(one) for one in
                                 (cut_zone["inner_radius"], cut_zone["outer_radius"], bulk["outer_radius"]))
-        feed = decks.si(deck["tool"]["feed_per_tooth"])
+        feed = si(deck["tool"]["feed_per_tooth"])
         rows = round(cut_zone["cells"][2] * (outer - inner + feed) / (border - inner + feed))
         cut_zone.update(name="work", fill=fill, outer_radius=bulk["outer_radius"], faces=bulk["faces"])
         cut_zone["cells"][2] = rows
@@ -188,15 +188,15 @@ class Milling:
 
     def uncut(self, deck, time):
         tool = deck["tool"]
-        return decks.si(tool["feed_per_tooth"]) * math.sin(
-            decks.si(tool["start_angle"]) + decks.si(tool["spindle_speed"]) * time)
+        return si(tool["feed_per_tooth"]) * math.sin(
+            si(tool["start_angle"]) + si(tool["spindle_speed"]) * time)
 
     def width(self, deck):
-        return decks.si(deck["body"][0]["height"])
+        return si(deck["body"][0]["height"])
 
     def window(self, deck, end):
         tool = deck["tool"]
-        return tuple((math.radians(one) - decks.si(tool["start_angle"])) / decks.si(tool["spindle_speed"])
+        return tuple((math.radians(one) - si(tool["start_angle"])) / si(tool["spindle_speed"])
                      for one in self.immersion)
 
 

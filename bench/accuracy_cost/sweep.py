@@ -7,6 +7,7 @@ run again. Runs use one thread, and cost is processor time, so that other progra
 import argparse
 import fcntl
 import hashlib
+import json
 import os
 import pathlib
 import re
@@ -16,12 +17,15 @@ import statistics
 import subprocess
 import sys
 
-import decks
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from swarf import decks
+
 import measure
 import physics
 import points
 import reference
 import results
+from cost import predicted_core_seconds
 from scenes import SCENES
 
 EVERY = points.ALL + physics.POINTS
@@ -51,7 +55,7 @@ class Sweep:
         self.spent = 0.0
 
     def hash_of(self, point):
-        return digest(decks.text(point.deck(ROOT)).encode())
+        return digest(json.dumps(point.deck(ROOT), sort_keys=True).encode())
 
     def row_of(self, point):
         """What is known of this very point, by this very program."""
@@ -62,10 +66,10 @@ class Sweep:
         return None
 
     def predicted(self, point):
-        ratios = [row["core_seconds"] / decks.predicted_core_seconds(one.deck(ROOT))
+        ratios = [row["core_seconds"] / predicted_core_seconds(one.deck(ROOT))
                   for one in EVERY if (row := self.row_of(one)) and row["status"] == "complete"]
         scale = statistics.median(ratios) if ratios else SECONDS_PER_PARTICLE_STEP / 2e-6
-        return scale * decks.predicted_core_seconds(point.deck(ROOT))
+        return scale * predicted_core_seconds(point.deck(ROOT))
 
     def keep(self, row):
         """In place of what was known of the point, and of points that were of other decks or programs."""
@@ -97,7 +101,7 @@ class Sweep:
     def run(self, point):
         folder = self.runs / re.sub(r"[^a-z0-9.+-]+", "_", point.name.lower())
         deck, deck_file = point.deck(ROOT), pathlib.Path(f"{folder}.toml")
-        deck_file.write_text(decks.text(deck))
+        decks.write(deck_file, deck)
         (folder / "summary.json").unlink(missing_ok=True)
         predicted = self.predicted(point)
         print(f"{point.name:<40} {predicted:7.0f} s predicted", end="", flush=True)
@@ -126,7 +130,7 @@ class Sweep:
     def run_missing(self, wanted):
         """Cheapest first. Returns how many were left out for want of budget or program."""
         left = 0
-        for point in sorted(wanted, key=lambda one: decks.predicted_core_seconds(one.deck(ROOT))):
+        for point in sorted(wanted, key=lambda one: predicted_core_seconds(one.deck(ROOT))):
             if self.row_of(point):
                 continue
             if point.build not in self.digests or not self.affordable(point):
@@ -174,12 +178,12 @@ class Sweep:
 
 def plan(sweep, wanted):
     total = 0
-    for point in sorted(wanted, key=lambda one: decks.predicted_core_seconds(one.deck(ROOT))):
+    for point in sorted(wanted, key=lambda one: predicted_core_seconds(one.deck(ROOT))):
         row = sweep.row_of(point)
         seconds = 0 if row else sweep.predicted(point)
         total += seconds
         note = f"has run: {row['status']}" if row else f"{seconds:.0f} s"
-        print(f"{point.name:<40} {note:<24} {point.changes(ROOT)}")
+        print(f"{point.name:<40} {note:<24} {decks.describe(point.changes(ROOT))}")
     print(f"to run: {total:.0f} core-seconds, and the best settings together after that")
 
 

@@ -9,11 +9,12 @@ import math
 import pathlib
 import re
 import sys
-import tomllib
+
+import tomli_w
+from swarf import decks, si
 
 import advise
-import decks
-import draw
+import ranking
 from points import MEAN_OF, Point
 from reference import ENERGY
 
@@ -25,35 +26,11 @@ HEAD = """# Written by bench/accuracy_cost/draw.py from results.csv, and from be
 # run.accuracy picks from. Not to be edited.
 # Errors are of the mean cutting force of one run (of three where runs = 3), relative to the reference; level: the most
 # that error and standard error come to together, here and at all finer spacings with the same settings. Where it is
-# missing the settings have run at one spacing only, or a finer one did not keep its energy.
+# missing the settings have run at one spacing only, or a finer one did not keep its energy. Windows: against the whole
+# pass in the same cells, deg.
 """
-AXIAL = {"size": 2, "cells": 1, "position": 2}  # entries that the slice changes, of block, ring and tool
 SLICE = re.compile(r"body\[.*\]\.height|tool\.(width|length)")
 ENTRY = re.compile(r"body\[.*\]\.end_angle|tool\.start_angle|run\.end_time")
-
-
-def parsed(changes):
-    """{"run.courant": 0.5, "body[bulk]": None}; None: removed."""
-    found = {}
-    for part in changes.split("; ") if changes else []:
-        name, equals, value = part.partition(" = ")
-        if equals:
-            found[name] = tomllib.loads(f"value = {value}")["value"]
-        else:
-            found[name.removeprefix("no ")] = None
-    return found
-
-
-def changed_deck(scene, root, row):
-    """The deck of the base at the row's spacing, the changes, and its flat form with them. Bodies must be the base's."""
-    deck = Point(scene, "", "", spacing=row["spacing"]).deck(root)
-    flat, changes = decks.flat(deck), parsed(row["changes"])
-    for name, value in changes.items():
-        if value is None:
-            flat = {key: one for key, one in flat.items() if key != name and not key.startswith(name + ".")}
-        else:
-            flat[name] = value
-    return deck, changes, flat
 
 
 def carries(name, value, base, face):
@@ -76,34 +53,34 @@ def ahead(scene, flat):
     """Of the work in front of the tool at the end, m; infinite where its length is not along the cut."""
     if scene.name != "orthogonal":
         return math.inf
-    end = decks.si(flat["tool.position"][0]) + decks.si(flat["tool.velocity"][0]) * decks.si(flat["run.end_time"])
-    return decks.si(flat["body[cut zone].size"][0]) - end - decks.si(flat["tool.edge_radius"])
+    end = si(flat["tool.position"][0]) + si(flat["tool.velocity"][0]) * si(flat["run.end_time"])
+    return si(flat["body[cut zone].size"][0]) - end - si(flat["tool.edge_radius"])
 
 
 def wave_speed(flat):
     E, nu, rho = (next(one for key, one in flat.items() if key.endswith("." + name))
                   for name in ("youngs_modulus", "poissons_ratio", "density"))
-    return math.sqrt(decks.si(E) * (1 - nu) / (1 + nu) / (1 - 2 * nu) / decks.si(rho))
+    return math.sqrt(si(E) * (1 - nu) / (1 + nu) / (1 - 2 * nu) / si(rho))
 
 
 def cut(scene, deck, flat):
     """Of the scene: uncut chip, m; cutting speed, m/s; time of the run, s; cut before the mean and in it, m."""
     if scene.name == "orthogonal":
-        speed, end = decks.si(flat["tool.velocity"][0]), decks.si(flat["run.end_time"])
-        gap = -decks.si(flat["tool.position"][0]) - decks.si(flat["tool.edge_radius"])
+        speed, end = si(flat["tool.velocity"][0]), si(flat["run.end_time"])
+        gap = -si(flat["tool.position"][0]) - si(flat["tool.edge_radius"])
         run_in = (1 - scene.averaged) * end * speed - gap
         return scene.uncut(deck, 0), speed, end, run_in, scene.averaged * end * speed
-    radius, spindle = decks.si(flat["tool.diameter"]) / 2, decks.si(flat["tool.spindle_speed"])
-    end = (decks.si(flat["run.end_immersion"]) - decks.si(flat["tool.start_angle"])) / spindle
-    entry = math.pi / 2 - decks.si(flat["body[cut zone].end_angle"])
+    radius, spindle = si(flat["tool.diameter"]) / 2, si(flat["tool.spindle_speed"])
+    end = (si(flat["run.end_immersion"]) - si(flat["tool.start_angle"])) / spindle
+    entry = math.pi / 2 - si(flat["body[cut zone].end_angle"])
     begin, last = (math.radians(one) for one in scene.immersion)
-    return decks.si(flat["tool.feed_per_tooth"]), radius * spindle, end, (begin - entry) * radius, (last - begin) * radius
+    return si(flat["tool.feed_per_tooth"]), radius * spindle, end, (begin - entry) * radius, (last - begin) * radius
 
 
 def point(scene, root, row, rows, found):
     """One entry of the file, or None if the row cannot be carried over."""
-    deck, changes, flat = changed_deck(scene, root, row)
-    base = decks.flat(deck)
+    deck, changes = Point(scene, "", "", spacing=row["spacing"]).deck(root), row["changes"]
+    base, flat = (decks.flat(one) for one in (deck, decks.vary(deck, changes)))
     face = "y_min" if scene.name == "orthogonal" else "outer"
     if row["build"] != "release" or not all(carries(*one, base, face) for one in changes.items()):
         return None
@@ -112,15 +89,15 @@ def point(scene, root, row, rows, found):
     chip, speed, end, run_in, measured = cut(scene, deck, flat)
     spacing, mass = row["spacing"] * 1e-6, flat["run.mass_factor"]
     scaled = wave_speed(flat) / math.sqrt(mass)
-    thickness = decks.si(flat["body[cut zone].size"][2] if scene.name == "orthogonal" else flat["body[cut zone].height"])
+    thickness = si(flat["body[cut zone].size"][2] if scene.name == "orthogonal" else flat["body[cut zone].height"])
     runs = row["runs"] if row["group"] in MEAN_OF.values() else 1
     reference = found["cutting_force"]
     entry = {
         "label": row["label"], "runs": runs, "chip_rows": chip / spacing, "slice_rows": round(thickness / spacing),
         "wave_over_speed": scaled / speed, "courant": flat["run.courant"], "bulk": "body[bulk]" not in changes,
         "particles": {key.removeprefix("particles."): one for key, one in flat.items() if key.startswith("particles.")},
-        "sleep_rows": decks.si(flat["sleep.distance"]) / spacing if "sleep.distance" in flat else 0.0,
-        "run_in": run_in / chip, "measured": measured / chip, "error": draw.likely_error(row, found),
+        "sleep_rows": si(flat["sleep.distance"]) / spacing if "sleep.distance" in flat else 0.0,
+        "run_in": run_in / chip, "measured": measured / chip, "error": ranking.likely_error(row, found),
         "standard_error": row["cutting_force_error"] / abs(reference.value),
         "level": advise.level_of_finer(row, rows, found), "energy_residual": row["energy_residual"],
         "core_seconds": row["core_seconds"], "cost": row["core_seconds"] / advise.base_of(scene, rows)["core_seconds"],
@@ -129,33 +106,26 @@ def point(scene, root, row, rows, found):
     return {key: value for key, value in entry.items() if value is not None}
 
 
-def scene_lines(scene, root, rows, found):
+def scene_table(scene, root, rows, found):
     deck = Point(scene, "", "", spacing=scene.spacing).deck(root)
     flat = decks.flat(deck)
     reference, chip = found["cutting_force"], cut(scene, deck, flat)[0]
     zone = decks.body(deck, "cut zone")
-    depth = -decks.si(zone["origin"][1]) if scene.name == "orthogonal" else (
-        decks.si(zone["outer_radius"]) - decks.si(zone["inner_radius"]))
+    depth = -si(zone["origin"][1]) if scene.name == "orthogonal" else (
+        si(zone["outer_radius"]) - si(zone["inner_radius"]))
     kind = deck["tool"]["kind"]
     where = (f"over the last {100 * scene.averaged:.0f} % of the cut" if scene.name == "orthogonal" else
              f"at immersion {scene.immersion[0]:.0f} to {scene.immersion[1]:.0f} deg")
-    head = {"title": scene.title, "deck": scene.deck_file, "reference": reference.value,
-            "uncertainty": reference.relative, "said": reference.said, "where": where, "edge_over_chip":
-            decks.si(deck["tool"]["edge_radius"]) / chip, "rake": math.degrees(decks.si(deck["tool"]["rake"])),
-            "depth": depth / chip}
-    yield f"\n[{kind}]"
-    yield from (f"{key} = {value_text(value)}" for key, value in head.items())
-    yield "points = ["
-    for row in sorted(rows, key=lambda one: one["core_seconds"]):
-        if row["group"] in ("committed deck", *draw.ASIDE) or abs(row["energy_residual"]) > ENERGY:
-            continue
-        if entry := point(scene, root, row, rows, found):
-            yield f"  {value_text(entry)},"
-    yield "]"
+    entries = [point(scene, root, row, rows, found) for row in sorted(rows, key=lambda one: one["core_seconds"])
+               if row["group"] not in ("committed deck", *ranking.ASIDE) and abs(row["energy_residual"]) <= ENERGY]
+    table = {"title": scene.title, "deck": scene.deck_file, "reference": reference.value,
+             "uncertainty": reference.relative, "said": reference.said, "where": where,
+             "edge_over_chip": si(deck["tool"]["edge_radius"]) / chip,
+             "rake": math.degrees(si(deck["tool"]["rake"])), "depth": depth / chip,
+             "points": [entry for entry in entries if entry]}
     if kind == "end_mill":
-        yield "windows = [ # against the whole pass in the same cells, from bench/windows/results.json; deg"
-        yield from (f"  {value_text(entry)}," for entry in windows(decks.si(deck["tool"]["feed_per_tooth"])))
-        yield "]"
+        table["windows"] = list(windows(si(deck["tool"]["feed_per_tooth"])))
+    return kind, table
 
 
 def windows(chip):
@@ -169,18 +139,19 @@ def windows(chip):
                "width": float(WIDTH), "ahead": float(AHEAD), "error": ratio - 1, "standard_error": error}
 
 
-def value_text(value):
-    if isinstance(value, float):
-        return repr(float(f"{value:.5g}"))
+def rounded(value):
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key} = {value_text(one)}" for key, one in value.items()) + " }"
-    return decks._value(value)
+        return {key: rounded(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [rounded(one) for one in value]
+    return float(f"{value:.5g}") if isinstance(value, float) else value
 
 
 def text(drawn, scenes, root):
     """drawn: {scene: (labels, rows, references)} as draw.py has them."""
-    lines = [HEAD.rstrip()]
+    chart = {}
     for name, (_, rows, found) in drawn.items():
-        complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in draw.ASIDE]
-        lines += scene_lines(scenes[name], root, complete, found)
-    return "\n".join(lines) + "\n"
+        complete = [row for row in rows if row.get("cutting_force") is not None and row["group"] not in ranking.ASIDE]
+        kind, table = scene_table(scenes[name], root, complete, found)
+        chart[kind] = rounded(table)
+    return HEAD + "\n" + tomli_w.dumps(chart)

@@ -1,7 +1,6 @@
-"""Runs the orthogonal cut over the spacing, with shifting and without, and writes docs/chip.md."""
+"""Runs the orthogonal cut over the spacing, with shifting and without, and writes docs/reports/chip.md."""
 import argparse
 import concurrent.futures
-import json
 import pathlib
 import subprocess
 import sys
@@ -9,11 +8,12 @@ import sys
 import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "bench" / "accuracy_cost"))
-import decks  # noqa: E402
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "bench" / "accuracy_cost")]
+import swarf  # noqa: E402
+from swarf import decks, reports  # noqa: E402
+
 import measure as forces  # noqa: E402
 import order  # noqa: E402
-import vtu  # noqa: E402
 from scenes import SCENES  # noqa: E402
 
 SCENE = SCENES["orthogonal"]
@@ -39,27 +39,26 @@ def run(job):
     if not (folder / "summary.json").exists():
         RUNS.mkdir(parents=True, exist_ok=True)
         file = RUNS / f"{folder.name}.toml"
-        file.write_text(decks.text(deck))
+        decks.write(file, deck)
         subprocess.run([ROOT / "build/release/swarf", "run", file, "-o", folder, "--overwrite", "--threads", "1", "--no-pictures"],
                        stdout=subprocess.DEVNULL, check=False)
     return {**measured(deck, folder, spacing), "spacing": spacing, "shifting": shifting}
 
 
 def measured(deck, folder, spacing):
-    summary = json.loads((folder / "summary.json").read_text())
-    if summary["ended"] != "complete":
-        return {"ended": summary["ended"]}
-    table, energies = forces.history(folder), summary["energies"]
+    run = swarf.read(folder)
+    if not run.is_complete:
+        return {"ended": run.summary["ended"]}
+    table, energies = run.history, run.summary["energies"]
     begin, end = CUT / 2, table["time"][-1]
-    frame = vtu.read(sorted((folder / "frames").glob("*_particles.vtu"))[-1])
-    A = decks.si(next(iter(deck["material"].values()))["A"])
-    row = order.measure(frame, spacing * 1e-6, SCENE.width(deck), A)
+    A = swarf.si(next(iter(deck["material"].values()))["A"])
+    row = order.measure(run.frames[-1].particles, spacing * 1e-6, SCENE.width(deck), A)
     share = 40e-6 / SCENE.uncut(deck, 0)  # the force of a cut is nearly in proportion to its thickness
     for name, values in zip(("Fc", "Ff"), forces.cutting_forces(deck, table)):
         row[name] = share * forces.mean_and_error(table["time"], values, begin, end, False)[0]
     row["stabilisers"] = (energies["hourglass_work"] + energies["viscous_work"]) / energies["external_work"]
     row["shifting_work"] = energies["shifting_work"] / energies["external_work"]
-    row["residual"], row["seconds"] = energies["worst_residual_over_external"], summary["cost"]["cpu_seconds"]
+    row["residual"], row["seconds"] = energies["worst_residual_over_external"], run.summary["cost"]["cpu_seconds"]
     return row
 
 
@@ -78,16 +77,31 @@ def line(rows):
     return cells + [form.format(by * numpy.mean([one[name] for one in rows])) for name, _, form, by in COLUMNS]
 
 
+def summary(rows):
+    """What shifting does at the finest spacing that has run with it and without."""
+    same = {shifting: [one for one in rows if one["shifting"] is shifting and "Fc" in one] for shifting in (True, False)}
+    both = {one["spacing"] for one in same[True]} & {one["spacing"] for one in same[False]}
+    if not both:
+        return "No spacing has run both with shifting and without."
+    finest = min(both)
+    mean = {shifting: {name: numpy.mean([one[name] for one in found if one["spacing"] == finest])
+                       for name in ("Fc", "voids", "nearest")} for shifting, found in same.items()}
+    return (f"**At {finest:.3g} um, with shifting (without): F_c {mean[True]['Fc']:.1f} ({mean[False]['Fc']:.1f}) N, voids in "
+            f"{100 * mean[True]['voids']:.1f} ({100 * mean[False]['voids']:.1f}) % of the chip, nearest neighbours "
+            f"{mean[True]['nearest']:.2f} ({mean[False]['nearest']:.2f}) spacings apart.**")
+
+
 def page(rows):
     head = ["spacing, um", "shifting", "F_c, N", "F_f, N"] + [title for _, title, _, _ in COLUMNS]
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    table = []
     for key in sorted({(one["shifting"], one["spacing"]) for one in rows}, key=lambda k: (not k[0], -k[1])):
         same = [one for one in rows if (one["shifting"], one["spacing"]) == key and "Fc" in one]
         if same:
-            lines.append("| " + " | ".join(line(same)) + " |")
-    lines += [f"\nDid not end: {one['spacing']:g} um, {one['ended']}" for one in rows if "Fc" not in one]
-    text = (ROOT / "bench/chip/page.md").read_text().replace("TABLE", "\n".join(lines))
-    (ROOT / "docs/chip.md").write_text(text)
+            table.append(line(same))
+    failed = [f"Did not end: {one['spacing']:g} um, {one['ended']}" for one in rows if "Fc" not in one]
+    text = (ROOT / "bench/chip/page.md").read_text().replace("SUMMARY", summary(rows))
+    before, after = text.split("TABLE")
+    reports.write("chip", [before, *reports.table(head, table, key=2), *failed, after])
 
 
 def main():

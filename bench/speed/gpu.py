@@ -1,4 +1,6 @@
 """What a GPU would do, on paper: bytes and operations of a particle and step over the rates of a data sheet."""
+from swarf import reports
+
 from targets import size_text
 
 FLOPS, BYTES, MEMORY = 34e12, 3.3e12, 80e9  # H100 SXM, NVIDIA's data sheet: double, memory
@@ -33,9 +35,9 @@ def lines(results, size):
         return
     near = results.get("find_neighbors", size, 1)["near_pairs_per_item"]
     yield TEXT.format(flops=FLOPS / 1e12, bytes_=BYTES / 1e12, memory=MEMORY / 1e9, near=near)
-    yield ("| kernel | calls a step | flop | bytes, each field once | ps a step | bound by "
-           "| bytes, each neighbour anew | ps a step |")
-    yield "|" + "---|" * 8
+    head = ["kernel", "calls a step", "flop", "bytes, each field once", "ps a step", "bound by",
+            "bytes, each neighbour anew", "ps a step"]
+    table = []
     best = worst = flops = once = anew = 0
     for name, times in calls(results, size):
         row = results.get(name, size, 1)
@@ -43,9 +45,11 @@ def lines(results, size):
         best, worst, flops = best + fast, worst + slow, flops + times * row["gpu_flops_per_item"]
         once, anew = once + times * row["gpu_bytes_per_item"], anew + times * row["gathered_bytes_per_item"]
         bound = "operations" if row["gpu_flops_per_item"] / FLOPS > row["gpu_bytes_per_item"] / BYTES else "memory"
-        yield (f"| {name} | {times:.2f} | {row['gpu_flops_per_item']:.0f} | {row['gpu_bytes_per_item']:.0f} "
-               f"| {1e12 * fast:.0f} | {bound} | {row['gathered_bytes_per_item']:.0f} | {1e12 * slow:.0f} |")
-    yield f"| **a step** | | {flops:.0f} | {once:.0f} | {1e12 * best:.0f} | | {anew:.0f} | {1e12 * worst:.0f} |"
+        table.append([name, f"{times:.2f}", f"{row['gpu_flops_per_item']:.0f}", f"{row['gpu_bytes_per_item']:.0f}",
+                      f"{1e12 * fast:.0f}", bound, f"{row['gathered_bytes_per_item']:.0f}", f"{1e12 * slow:.0f}"])
+    table.append(["**a step**", "", f"{flops:.0f}", f"{once:.0f}", f"{1e12 * best:.0f}", "", f"{anew:.0f}",
+                  f"{1e12 * worst:.0f}"])
+    yield from reports.table(head, table)
     two = results.get("step, particles", size, 2)
     step = results.get("step, particles", size, 1)
     yield (f"\nSo between {1e-6 / worst:.0f} and {1e-6 / best:.0f} million particle-steps a second; measured here on 2 "

@@ -1,12 +1,8 @@
-"""docs/growth.*: cost, gain of the second thread and memory against the number of particles or hexes."""
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
+"""docs/reports/growth.*: cost, gain of the second thread and memory against the number of particles or hexes."""
 import matplotlib.pyplot as plt
+from swarf import reports
 
 import memory
-from results import DOCS
 
 TEXT = """
 ## Growth
@@ -75,6 +71,4 @@ def draw(results):
         axes.set(xscale="log", xlabel="particles or hexes", ylim=(0, 1.3 * axes.get_ylim()[1]))  # room for the legend
         axes.grid(alpha=0.3, linewidth=0.4)
         axes.legend(fontsize=7, framealpha=1, ncols=2 if axes is panels[0] else 1)
-    for suffix in ("png", "svg"):
-        figure.savefig(DOCS / f"growth.{suffix}", metadata={"Date": None} if suffix == "svg" else None)
-    plt.close(figure)
+    reports.save(figure, "growth")

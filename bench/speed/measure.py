@@ -11,14 +11,16 @@ import os
 import pathlib
 import statistics
 import subprocess
+import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from swarf.reports import commit, processor
 
 import start_up
 from kept import Kept
-from processor import processor
 
-HERE = pathlib.Path(__file__).resolve().parent
-RESULTS = HERE.parent / "results.json"
+RESULTS = pathlib.Path(__file__).resolve().parents[1] / "results.json"
 LARGE = 500_000
 # The whole step, each scene and size in a process of its own, so that its memory is seen.
 STEPS = {
@@ -101,13 +103,6 @@ def row_of(key, measured):
     return row
 
 
-def commit():
-    here = HERE.parents[1]
-    head = subprocess.run(["git", "-C", here, "describe", "--always", "--dirty", "--exclude=*"], capture_output=True,
-                          text=True)
-    return head.stdout.strip()
-
-
 def take_rounds(options, kept):
     found, begun = {}, time.time()
     for number in range(options.rounds):
@@ -135,7 +130,7 @@ def main():
     if options.quick:
         options.rounds = 1
     kept = Kept(options.build / "bench" / "measured", newest=max(p.stat().st_mtime for p in programs(options.build)))
-    begun, measured = time.time(), kept.get("commit", commit)  # the tree may change meanwhile
+    begun, measured = time.time(), kept.get("commit", lambda: commit("bench", "include", "kernels", "src"))  # the tree may change meanwhile
     found = take_rounds(options, kept)
     start = {threads: kept.get(f"start-up-{threads}", lambda: start_up.measure(options.build / "swarf", threads))
              for threads in (() if options.quick else options.threads)}

@@ -1,4 +1,6 @@
 """Where the bytes of a particle are: every View, and the whole process."""
+from swarf import reports
+
 from targets import size_text
 
 TEXT = """
@@ -10,16 +12,18 @@ images, rows of their own of whatever a neighbour is read from; they are the few
 
 
 def growth_rows(results):
-    yield "\n| particles | images | Views, bytes a particle | without images and tool | process, most | process, after |"
-    yield "|---|---|---|---|---|---|"
+    head = ["particles", "images", "Views, bytes a particle", "without images and tool", "process, most", "process, after"]
+    table = []
     for size in results.step_sizes("step, particles"):
         row = results.get("step, particles", size, 1)
         if "bytes" not in row:
             continue
         items = row["items"]
         own = sum(one[1] for one in views(row) if one[0] != "tool")
-        yield (f"| {size_text(int(items))} | {100 * row['images'] / items:.0f} % | {sum(row['bytes'].values()) / items:.0f} "
-               f"| {own:.0f} | {row['most_resident'] / items:.0f} | {row['resident'] / items:.0f} |")
+        table.append([size_text(int(items)), f"{100 * row['images'] / items:.0f} %",
+                      f"{sum(row['bytes'].values()) / items:.0f}", f"{own:.0f}", f"{row['most_resident'] / items:.0f}",
+                      f"{row['resident'] / items:.0f}"])
+    return reports.table(head, table)
 
 
 def views(row):
@@ -44,15 +48,14 @@ def view_rows(results):
     size = max(size for size in results.step_sizes("step, particles")
                if "bytes" in results.get("step, particles", size, 1))
     yield f"\nViews at {size_text(size)} particles; those of less than half a byte a particle together.\n"
-    yield "| View | bytes of a row | bytes a particle, with images |"
-    yield "|---|---|---|"
-    rest = [0, 0]
+    table, rest = [], [0, 0]
     for label, own, all_ in views(results.get("step, particles", size, 1)):
         if all_ >= 0.5:
-            yield f"| {label} | {own:.1f} | {all_:.1f} |"
+            table.append([label, f"{own:.1f}", f"{all_:.1f}"])
         else:
             rest = [rest[0] + own, rest[1] + all_]
-    yield f"| others | {rest[0]:.1f} | {rest[1]:.1f} |"
+    table.append(["others", f"{rest[0]:.1f}", f"{rest[1]:.1f}"])
+    yield from reports.table(["View", "bytes of a row", "bytes a particle, with images"], table)
 
 
 def lines(results):

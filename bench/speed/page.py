@@ -1,23 +1,31 @@
 #!/usr/bin/env python3
-"""docs/speed.md, docs/roofline.* and docs/growth.*: all from bench/results.json, but for the peers' figures (peers.py),
-the targets (targets.py) and a GPU's data sheet (gpu.py)."""
+"""docs/reports/speed.md, roofline.* and growth.*: all from bench/results.json, but for the peers' figures (peers.py), the
+targets (targets.py) and a GPU's data sheet (gpu.py)."""
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from swarf import reports
+
 import gpu
 import growth
 import memory
 import peers
 import roofline
 import targets
-from results import DOCS, Results
+from results import Results
 
 HEAD = """# Speed
 
-Made by `bench/run`; every number of ours is from `bench/results.json`. Commit {commit}, {date}; {processor}, {cores}
-cores, rounds: {rounds}. Times are medians of the rounds (sizes of a million and more: one round), "best" the fastest round,
-ratios are taken within a round.
+Made by `bench/run`; every number of ours is from `bench/results.json`. Commit {commit}, {date}; {processor}, {cores} \
+cores, rounds: {rounds}. Times are medians of the rounds (sizes of a million and more: one round), "best" the fastest \
+round, ratios are taken within a round.
 
-**How quiet the machine was:** load average {first:.1f} at the start, median {median:.1f}, most {most:.1f} on {cores}
-cores; a process of one thread got {share:.0f} % of a core (median of all rows). Alone, the load is at most the number
-of threads and the share 100 %; otherwise the rates below are too low, those on two threads most. "Core": rate by the
+{summary}
+
+**How quiet the machine was:** load average {first:.1f} at the start, median {median:.1f}, most {most:.1f} on {cores} \
+cores; a process of one thread got {share:.0f} % of a core (median of all rows). Alone, the load is at most the number \
+of threads and the share 100 %; otherwise the rates below are too low, those on two threads most. "Core": rate by the \
 processor time of one thread, which does not count waiting for other programs.
 
 Ceilings, best of the rounds, double: {ceilings}.
@@ -62,6 +70,12 @@ def spaced(size):
     return f"{size:,}".replace(",", " ")
 
 
+def summary(results):
+    steps = {name: results.get(f"step, {name}", 100_000, 2) for name in ("particles", "hexes")}
+    found = ", ".join(f"{rate(row)} million {name}" for name, row in steps.items() if row)
+    return f"**A second on two threads: {found}** (whole step, 100 000 of them, double). {targets.summary(results)}"
+
+
 def head(results):
     everything = results.all
     load = everything["load_average"]
@@ -69,21 +83,22 @@ def head(results):
     ceilings = "; ".join("{:.1f} GFLOP/s, {:.1f} GB/s on {}".format(
         *(value / 1e9 for value in results.ceiling(threads)), "2 threads" if threads > 1 else "1 thread")
         for threads in (1, 2))
-    return HEAD.format(**everything, **load, share=100 * shares[len(shares) // 2], ceilings=ceilings)
+    return HEAD.format(**everything, **load, summary=summary(results), share=100 * shares[len(shares) // 2], ceilings=ceilings)
 
 
 def step_rows(results):
-    yield "| scene | size | bits | core, M/s | M/s, 1 thread | best | M/s, 2 threads | best | 2 over 1 thread |"
-    yield "|" + "---|" * 9
+    head = ["scene", "size", "bits", "core, M/s", "M/s, 1 thread", "best", "M/s, 2 threads", "best", "2 over 1 thread"]
+    table = []
     for name in results.names(step=True):
         for size in results.step_sizes(name):
             for bits in (64, 32):
                 one, two = (results.get(name, size, threads, bits) for threads in (1, 2))
                 if not one or not two:
                     continue
-                core, best = 1e-6 / one["core_seconds_per_item"], 1e-6 / one["best"]
-                yield (f"| {name[6:]} | {spaced(size)} | {bits} | {core:.2f} | {rate(one)} | {best:.2f} | {rate(two)} "
-                       f"| {1e-6 / two['best']:.2f} | {results.ratio(one, two):.2f} |")
+                table.append([name[6:], spaced(size), bits, f"{1e-6 / one['core_seconds_per_item']:.2f}", rate(one),
+                              f"{1e-6 / one['best']:.2f}", rate(two), f"{1e-6 / two['best']:.2f}",
+                              f"{results.ratio(one, two):.2f}"])
+    return reports.table(head, table, key=3)
 
 
 def phase_rows(results, size):
@@ -92,10 +107,8 @@ def phase_rows(results, size):
     phases = sorted({phase for row in rows.values() for phase in row["phases"]},
                     key=lambda phase: -max(row["phases"].get(phase, 0) for row in rows.values()))
     yield f"\nWhere the time goes: ns of a core per item and step, one thread, {spaced(size)} items, double.\n"
-    yield "| phase | " + " | ".join(name[6:] for name in names) + " |"
-    yield "|---|" + "---|" * len(names)
-    for phase in phases:
-        yield f"| {phase} | " + " | ".join(f"{1e9 * rows[name]['phases'].get(phase, 0):.1f}" for name in names) + " |"
+    yield from reports.table(["phase", *(name[6:] for name in names)], [
+        [phase, *(f"{1e9 * rows[name]['phases'].get(phase, 0):.1f}" for name in names)] for phase in phases])
 
 
 def start_line(results):
@@ -111,9 +124,9 @@ def start_line(results):
 
 
 def kernel_rows(results):
-    yield ("| kernel | size | flop | byte | core, M/s | M/s, 1 thread | M/s, 2 threads | 2 over 1 "
-           "| GFLOP/s, 2 threads | GB/s | share of FMA | share of triad |")
-    yield "|" + "---|" * 12
+    head = ["kernel", "size", "core, M/s", "M/s, 1 thread", "M/s, 2 threads", "2 over 1", "flop", "byte",
+            "GFLOP/s, 2 threads", "GB/s", "share of FMA", "share of triad"]
+    table = []
     for name in results.names(step=False):
         for size in results.sizes():
             one, two = (results.get(name, size, threads) for threads in (1, 2))
@@ -121,12 +134,13 @@ def kernel_rows(results):
                 continue
             flops, lanes = results.share(two, "flops"), results.share(two, "lane_flops")
             more = f" ({100 * lanes:.0f} %)" if lanes > 1.001 * flops else ""
-            yield (f"| {name} | {spaced(size)} | {one['flops_per_item']:.0f} | {one['bytes_per_item']:.0f} "
-                   f"| {1e-6 / one['core_seconds_per_item']:.2f} | {rate(one)} | {rate(two)} "
-                   f"| {results.ratio(one, two):.2f} "
-                   f"| {two['flops_per_item'] / two['seconds_per_item'] / 1e9:.1f} "
-                   f"| {two['bytes_per_item'] / two['seconds_per_item'] / 1e9:.1f} "
-                   f"| {100 * flops:.1f} %{more} | {100 * results.share(two, 'bytes'):.0f} % |")
+            table.append([name, spaced(size), f"{1e-6 / one['core_seconds_per_item']:.2f}", rate(one), rate(two),
+                          f"{results.ratio(one, two):.2f}", f"{one['flops_per_item']:.0f}",
+                          f"{one['bytes_per_item']:.0f}",
+                          f"{two['flops_per_item'] / two['seconds_per_item'] / 1e9:.1f}",
+                          f"{two['bytes_per_item'] / two['seconds_per_item'] / 1e9:.1f}",
+                          f"{100 * flops:.1f} %{more}", f"{100 * results.share(two, 'bytes'):.0f} %"])
+    return reports.table(head, table, key=2)
 
 
 def list_line(results, size):
@@ -137,16 +151,14 @@ def list_line(results, size):
 
 
 def peer_rows(results, size):
-    yield "| code, case | elements | neighbours | M/s, 1 core | M/s, 2 cores | source |"
-    yield "|---|---|---|---|---|---|"
-    pairs = results.get("find_neighbors", size, 1)["pairs_per_item"]
+    head = ["code, case", "elements", "neighbours", "M/s, 1 core", "M/s, 2 cores", "source"]
+    pairs, table = results.get("find_neighbors", size, 1)["pairs_per_item"], []
     for name in results.names(step=True):
         one, two = (results.get(name, size, threads) for threads in (1, 2))
         neighbours = "-" if name == "step, hexes" else f"{pairs:.0f}"
-        yield (f"| **swarf**, {name[6:]} | {spaced(int(one['items']))} | {neighbours} | {rate(one)} | {rate(two)} "
-               "| this page |")
-    for code, elements, neighbours, one, two in peers.MEASURED:
-        yield f"| {code} | {spaced(elements)} | {neighbours} | {one} | {two} | [1] |"
+        table.append([f"**swarf**, {name[6:]}", spaced(int(one["items"])), neighbours, rate(one), rate(two), "this page"])
+    table += [[code, spaced(elements), *more, "[1]"] for code, elements, *more in peers.MEASURED]
+    yield from reports.table(head, table)
     yield f"\n[1] {peers.HERE_SOURCE}.\n\nPublished by their authors, on other machines:\n"
     for code, figure in peers.PUBLISHED:
         yield f"- {code}: {figure}."
@@ -161,7 +173,7 @@ def main():
              *phase_rows(results, size), growth.TEXT, *memory.lines(results), KERNEL_TEXT.format(width=8),
              list_line(results, size), *kernel_rows(results), PEER_TEXT, *peer_rows(results, size),
              *gpu.lines(results, results.sizes()[-1])]
-    (DOCS / "speed.md").write_text("\n".join(lines) + "\n")
+    reports.write("speed", lines)
 
 
 if __name__ == "__main__":

@@ -3,9 +3,7 @@ import json
 import pathlib
 import statistics
 
-HERE = pathlib.Path(__file__).resolve().parent
-RESULTS = HERE.parent / "results.json"
-DOCS = HERE.parents[1] / "docs"
+RESULTS = pathlib.Path(__file__).resolve().parents[1] / "results.json"
 
 
 class Results:

@@ -1,19 +1,8 @@
-"""docs/roofline.png and .svg: every kernel under the ceilings of the machine, on one thread and on two."""
-import sys
-
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
+"""docs/reports/roofline.png and .svg: every kernel under the ceilings of the machine, on one thread and on two."""
 import matplotlib.pyplot as plt
 import numpy
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
-
-from results import DOCS, HERE
-
-sys.path.append(str(HERE.parent / "accuracy_cost"))
-import labels
-
+from swarf import labels, reports
 
 OF_HEXES = ("hex_velocity_gradient", "hex_forces", "hex_heat", "gather_corner_forces", "couple_nodes", "delete_hexes",
             "rest_hexes", "choose_hexes")
@@ -78,6 +67,4 @@ def draw(results, size):
     panels[0].plot([], [], "o", color="C1", markersize=4, label="hexes")
     panels[0].plot([], [], "o", color="0.3", markersize=4, label="points, one by one")
     panels[0].legend(loc="upper left", fontsize=7, framealpha=1)
-    for suffix in ("png", "svg"):
-        figure.savefig(DOCS / f"roofline.{suffix}", metadata={"Date": None} if suffix == "svg" else None)
-    plt.close(figure)
+    reports.save(figure, "roofline")

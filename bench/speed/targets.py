@@ -1,6 +1,6 @@
 """The targets that were set for two cores before anything was measured, and what is measured."""
 
-HEAD = "| what | target | measured | met |\n|---|---|---|---|"
+from swarf import reports
 
 
 def rate(results, name, size, threads=2, bits=64):
@@ -41,13 +41,27 @@ def measured(results):
                    True, row and row["most_resident"] / row["items"])
 
 
+def is_met(target, most, value):
+    return value <= target if most else value >= target
+
+
+def summary(results):
+    """How many are met, and by how much the others are missed."""
+    known = [one for one in measured(results) if one[-1] is not None]
+    missed = [(what, target, unit, value) for what, target, unit, most, value in known if not is_met(target, most, value)]
+    said = f"{len(known) - len(missed)} of {len(known)} targets are met."
+    return said + (" Missed: " + "; ".join(f"{what} ({value:.{0 if target >= 100 else 2}f}{unit} for {target:g})"
+                                           for what, target, unit, value in missed) + "." if missed else "")
+
+
 def rows(results):
-    yield HEAD
+    table = []
     for what, target, unit, most, value in measured(results):
         digits = 0 if target >= 100 else 2
-        met = "not measured" if value is None else "yes" if (value <= target if most else value >= target) else "**no**"
-        shown = "-" if value is None else f"{value:.{digits}f}{unit}"
-        yield f"| {what} | {'at most' if most else 'at least'} {target:g}{unit} | {shown} | {met} |"
+        met = "not measured" if value is None else "yes" if is_met(target, most, value) else "**no**"
+        table.append([what, f"{'at most' if most else 'at least'} {target:g}{unit}",
+                      "-" if value is None else f"{value:.{digits}f}{unit}", met])
+    yield from reports.table(["what", "target", "measured", "met"], table)
     load, cores = results.all["load_average"]["median"], results.all["cores"]
     if load > 1.2 * cores:
         yield (f"\nOther programs ran beside (load {load:.1f} on {cores} cores): what is said of 2 threads is too low, and a "

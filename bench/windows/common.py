@@ -1,14 +1,9 @@
 """What the pages of windows have in common: colours, the ratio of two mean forces, and how a picture is finished."""
 import math
-import pathlib
 
-import matplotlib
-
-matplotlib.use("Agg")
-matplotlib.rcParams["svg.hashsalt"] = "swarf"  # the same results give the same file
 import numpy
+from swarf import reports
 
-DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 SPACING = 4.0  # um, of inputs/micro_milling_pass.toml across the chip
 RUN_INS = (10, 5)  # deg; the first is long, so that it shows what a shorter one would have measured
 WIDTH, AHEAD = 6, 7  # deg, of a measurement, and of the material after it
@@ -36,13 +31,24 @@ def ratio_of_means(pairs):
     return ratio, left.std(ddof=1) * math.sqrt(len(pairs)) / pairs[:, 1].sum()
 
 
-def compare(part, reference, of="bins"):
-    """Where both have been, in means over 10 deg: what the part changes in the force."""
+def stretches(part, reference, of="bins"):
+    """[(force of the part, of the reference)] where both have been, in means over 10 deg."""
     part, reference = part[of], reference[of]
     force = dict(zip(reference["immersion"], planar(reference)))
     pairs = numpy.array([(value, force[angle]) for angle, value in zip(part["immersion"], planar(part))
                          if 0 < angle < 180 and angle in force])
-    means = pairs[:len(pairs) // 10 * 10].reshape(-1, 10, 2).mean(axis=1)
+    return pairs[:len(pairs) // 10 * 10].reshape(-1, 10, 2).mean(axis=1)
+
+
+def ratio_text(pairs):
+    """Of the mean of the first to that of the second."""
+    ratio, error = ratio_of_means(pairs)
+    return f"{percent(ratio - 1)} (standard error {100 * error:.1f} %)"
+
+
+def compare(part, reference, of="bins"):
+    """What the part changes in the force."""
+    means = stretches(part, reference, of)
     ratio, error = ratio_of_means(means)
     return (f"Mean force {percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of {len(means)} stretches "
             f"of 10 deg, which differ by {100 * math.sqrt(((means[:, 0] / means[:, 1] - 1) ** 2).mean()):.0f} % (root mean "
@@ -54,5 +60,4 @@ def save(figure, axes, name):
         one.spines[["top", "right"]].set_visible(False)
         one.grid(color="0.92")
     figure.tight_layout()
-    for suffix in ("png", "svg"):
-        figure.savefig(DOCS / f"{name}.{suffix}", dpi=150, metadata={"Date": None} if suffix == "svg" else None)
+    reports.save(figure, name, dpi=150)

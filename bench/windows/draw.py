@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Draws docs/windows.png, .svg and writes docs/windows.md from results.json."""
+"""Draws docs/reports/windows*.png, .svg and writes docs/reports/windows.md from results.json."""
 import json
 import math
 import pathlib
+import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
 import numpy
+from swarf import reports
 
-from common import COLOURS, DOCS, compare, percent, planar, ratio_of_means, save, smooth
+from common import AHEAD, COLOURS, compare, percent, planar, ratio_of_means, ratio_text, save, smooth, stretches
 import finer_page
 import matplotlib.pyplot as plt
 import scene_page
@@ -75,14 +78,14 @@ def draw(found):
 
 
 def write_table(windows):
-    lines = ["| immersion / deg | windows / N | standard error / N | whole pass / N | difference | core-seconds |",
-             "|---:|---:|---:|---:|---:|---:|"]
+    head = ["immersion / deg", "windows / N", "standard error / N", "whole pass / N", "difference", "core-seconds"]
+    rows = []
     for one in windows["windows"]:
         whole = one.get("whole_planar")
-        lines.append(f"| {one['immersion']:g} | {one['force_planar']:.3f} | {one['error_planar']:.3f} | "
-                     + (f"{whole:.3f} | {percent(one['force_planar'] / whole - 1)}" if whole else "not reached | ")
-                     + f" | {one['core_seconds']:.0f} |")
-    return lines
+        rows.append([f"{one['immersion']:g}", f"{one['force_planar']:.3f}", f"{one['error_planar']:.3f}",
+                     *((f"{whole:.3f}", percent(one["force_planar"] / whole - 1)) if whole else ("not reached", "")),
+                     f"{one['core_seconds']:.0f}"])
+    return reports.table(head, rows)
 
 
 def summarize(windows, found):
@@ -152,17 +155,16 @@ def write_probes(found):
         whole = normal.get("whole_planar")
         if not whole:
             continue
-        lines.append(f"| {probe['run_in']} | {probe['ahead']} | {probe['force_planar']:.3f} | "
-                     f"{percent(probe['force_planar'] / whole - 1)} | {probe['core_seconds']:.0f} |")
+        lines.append([probe["run_in"], probe["ahead"], f"{probe['force_planar']:.3f}",
+                      percent(probe["force_planar"] / whole - 1), f"{probe['core_seconds']:.0f}"])
     if not lines:
         return []
-    run_in = found["windows"][0]["run_in"]
-    lines.insert(0, f"| {run_in} | 7 | {normal['force_planar']:.3f} | {percent(normal['force_planar'] / whole - 1)} | "
-                    f"{normal['core_seconds']:.0f} |")
+    lines.insert(0, [found["windows"][0]["run_in"], AHEAD, f"{normal['force_planar']:.3f}",
+                     percent(normal["force_planar"] / whole - 1), f"{normal['core_seconds']:.0f}"])
+    head = ["run-in / deg", "ahead / deg", "planar force / N", "against the whole pass", "core-seconds"]
     return [f"## What makes the difference at {at:g} deg", "",
-            "The same window with one key changed at a time: the material that goes on ahead of it, and the run-in.", "",
-            "| run-in / deg | ahead / deg | planar force / N | against the whole pass | core-seconds |",
-            "|---:|---:|---:|---:|---:|", *lines, ""]
+            "The same window with one key changed at a time: the material that goes on ahead of it, and the run-in.",
+            *reports.table(head, lines)]
 
 
 def write_cost(part, whole):
@@ -207,15 +209,43 @@ def write_retired(found):
     return lines + [""]
 
 
+def write_summary(found):
+    """The answers, in a line each."""
+    whole = found["whole"]
+
+    def cost(core_seconds, whole):
+        return f", for {100 * core_seconds / whole['core_seconds']:.0f} % of its core-seconds" if "core_seconds" in whole else ""
+    for windows in found["windows"]:
+        pairs = [(one["force_planar"], one["whole_planar"]) for one in compared(windows)]
+        if len(pairs) > 2:
+            yield (f"- Windows of {windows['width']} deg after {windows['run_in']} deg of run-in: mean force "
+                   f"{ratio_text(pairs)} against the whole pass{cost(windows['core_seconds'], whole)}.")
+    if "asleep" in found:
+        yield (f"- The whole pass with its far part asleep: mean force {ratio_text(stretches(found['asleep'], whole))} "
+               f"against the whole pass awake{cost(found['asleep']['core_seconds'], whole)}.")
+    if "finer" in found:
+        finer = found["finer"]["whole"]
+        fine = next(one for one in found["finer"]["windows"] if one["spacing"] == finer["spacing"])
+        pairs = [(one["force_planar"], one["whole_planar"]) for one in fine["windows"] if "whole_planar" in one]
+        yield (f"- In cells of {fine['spacing']:g} um: windows {ratio_text(pairs)} against the pass asleep"
+               f"{cost(fine['core_seconds'], finer)}.")
+    if {"scene", "scene_pass"} <= found.keys():
+        rows = found["scene"]["rows"]
+        pairs = [(row["force_planar"], row["whole_planar"]) for row in rows if "whole_planar" in row]
+        yield (f"- The whole scene (`{found['scene']['deck']}`): {len(pairs)} windows {ratio_text(pairs)} against the "
+               f"pass asleep{cost(sum(row['core_seconds'] for row in rows), found['scene_pass'])}.")
+
+
 def write_page(found):
     whole = found["whole"]
     state = (f"{whole['particles']} particles, {whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds"
              if "core_seconds" in whole else
              f"run to {whole['end']:.1f} deg so far: windows beyond that have nothing to be compared with")
     lines = ["# Windows against the whole pass", "",
-             "Made by `bench/windows/run`; every number is from `bench/windows/results.json`. The scene is "
-             f"`{found['deck']}`: a periodic slice, so without a helix, in cells of 4 um. The whole pass: {state}.", "",
-             "![Force over immersion, and what the run-in does](windows.png)", "",
+             "Made by `bench/windows/run`; every number is from `bench/windows/results.json`.", "",
+             *write_summary(found), "",
+             f"The scene is `{found['deck']}`: a periodic slice, so without a helix, in cells of 4 um. The whole pass: "
+             f"{state}.", "", "![Force over immersion, and what the run-in does](windows.png)", "",
              "The lower picture compares force by force at the same angle, whatever the window's measurement is: where "
              "it has settled, the run-in is long enough.", ""]
     for windows in found["windows"]:
@@ -229,7 +259,7 @@ def write_page(found):
     lines += write_retired(found) if "retired" in found else []
     lines += finer_page.write(found) if "finer" in found else []
     lines += scene_page.write(found) if "scene" in found else []
-    (DOCS / "windows.md").write_text("\n".join(lines).rstrip() + "\n")
+    reports.write("windows", lines)
 
 
 def main():

@@ -9,7 +9,8 @@ import pathlib
 import subprocess
 import sys
 
-import measure
+import measure  # also makes swarf known
+import swarf
 
 # um: cells of the bulk; the cut zone has twice as many around
 CELLS = {3.0: ([458, 4, 11], [229, 2, 8]), 2.4: ([574, 5, 14], [287, 2, 10])}
@@ -18,15 +19,10 @@ THIN = (150, 170)  # deg
 COURANT = 0.45
 
 
-def deck_of(spacing, section):
-    text = measure.read_whole_and_awake(measure.DECK)
+def deck_of(spacing, **more):
     cut_zone, bulk = CELLS[spacing]
-    for old, new in (("cells = [344, 3, 8]", f"cells = {cut_zone}"), ("cells = [172, 2, 6]", f"cells = {bulk}"),
-                     ("courant = 0.3", f"courant = {COURANT}")):
-        if old not in text:
-            sys.exit(f"{measure.DECK}: expected {old}")
-        text = text.replace(old, new)
-    return text + section
+    return measure.vary(measure.DECK, {"body[cut zone].cells": cut_zone, "body[bulk].cells": bulk,
+                                       "run.courant": COURANT, **more})
 
 
 def windows_name(spacing):
@@ -34,21 +30,18 @@ def windows_name(spacing):
 
 
 def run(program):
-    measure.RESULTS.mkdir(parents=True, exist_ok=True)
     for spacing in CELLS:
         name = windows_name(spacing)
-        (measure.RESULTS / f"{name}.toml").write_text(deck_of(spacing, ""))
+        deck = measure.write_deck(name, deck_of(spacing))
         first = 10 if spacing == WHOLE else THIN[0]
-        subprocess.run([program, "run", measure.RESULTS / f"{name}.toml", "--windows", f"{first}:{THIN[1]}:20", "--output",
-                        measure.RESULTS / name, "--threads", "1", "--no-pictures", "--resume"], check=True)
-    deck = measure.RESULTS / "whole_finer.toml"
-    deck.write_text(deck_of(WHOLE, f'\n[sleep]\ndistance = "{measure.SLEEP_DISTANCE}"\n'))
-    measure.run_whole(program, "whole_finer", deck)
+        subprocess.run([program, "run", deck, "--windows", f"{first}:{THIN[1]}:20", "--output", measure.RESULTS / name,
+                        "--threads", "1", "--no-pictures", "--resume"], check=True)
+    asleep = deck_of(WHOLE, **{"sleep.distance": measure.SLEEP_DISTANCE})
+    measure.run_whole(program, "whole_finer", measure.write_deck("whole_finer", asleep))
 
 
 def measure_windows(spacing, whole):
-    folder = measure.RESULTS / windows_name(spacing)
-    joined = json.loads((folder / "windows.json").read_text())
+    joined = swarf.read(measure.RESULTS / windows_name(spacing)).joined
     rows = []
     for one in joined["windows"].values():
         if one["ended"] != "complete":
@@ -68,7 +61,7 @@ def main():
     found = [measure_windows(spacing, whole if spacing == WHOLE else None) for spacing in CELLS]
     entry = {"windows": found, "whole": {"spacing": WHOLE, "end": whole[-1][0], "bins": measure.bins(whole)}}
     if measure.is_complete(folder):
-        summary = json.loads((folder / "summary.json").read_text())
+        summary = swarf.read(folder).summary
         entry["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
                            "steps": summary["steps"],
                            "energy_residual": summary["energies"]["worst_residual_over_external"]}

@@ -1,5 +1,6 @@
-"""The section of docs/windows.md on smaller cells, and its picture."""
+"""The section of docs/reports/windows.md on smaller cells, and its picture."""
 import numpy
+from swarf import reports
 
 from common import COLOURS, RUN_INS, SPACING, percent, ratio_of_means, save, smooth
 import matplotlib.pyplot as plt
@@ -50,28 +51,30 @@ def write(found):
     lines = ["## In smaller cells", "", "![Force over immersion in smaller cells](windows_finer.png)", "",
              "Where the chip is thin the windows in large cells miss most. Is it the chip that the whole pass brings along, "
              "or a lattice that puts hardly more than one particle across what is cut? The same windows (6 deg after 5 deg of "
-             f"run-in, Courant number {fine['courant']:g}) in smaller cells:" + (f" They are from {entry['from']}." if "from" in entry else ""), "",
-             "| cells / um | " + " | ".join(f"uncut chip at {angle} deg, cells | force / N" for angle in (FIRST, LAST)) + " |",
-             "|" + "---:|" * 5]
+             f"run-in, Courant number {fine['courant']:g}) in smaller cells:" + (f" They are from {entry['from']}." if "from" in entry else "")]
+    head = ["cells / um"]
+    for angle in (FIRST, LAST):
+        head += [f"uncut chip at {angle} deg, cells", f"force at {angle} deg / N"]
+    rows = []
     for windows in (coarse(found), *entry["windows"]):
-        cells = []
+        rows.append([f"{windows['spacing']:g}"])
         for angle in (FIRST, LAST):
             chip = at(entry["windows"][0], angle)["uncut_chip"] * 1e6
-            cells.append(f"{chip / windows['spacing']:.1f} | {at(windows, angle)['force_planar']:.2f}")
-        lines.append(f"| {windows['spacing']:g} | " + " | ".join(cells) + " |")
+            rows[-1] += [f"{chip / windows['spacing']:.1f}", f"{at(windows, angle)['force_planar']:.2f}"]
+    lines += reports.table(head, rows)
     rows = [one for one in fine["windows"] if "whole_planar" in one]
     ratio, error = ratio_of_means([(one["force_planar"], one["whole_planar"]) for one in rows])
     cost = ""
     if "core_seconds" in whole:
         cost = (f" The windows took {fine['core_seconds']:.0f} core-seconds: "
                 f"{100 * fine['core_seconds'] / whole['core_seconds']:.0f} % of that pass, which sleeps.")
-    lines += ["", f"Against the whole pass in cells of {whole['spacing']:g} um, its far part asleep ({state}): mean force "
+    lines += [f"Against the whole pass in cells of {whole['spacing']:g} um, its far part asleep ({state}): mean force "
               f"{percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of "
-              f"{len(rows)} windows.{cost}", "",
-              "| immersion / deg | uncut chip, cells | window / N | whole pass / N | difference | core-seconds |",
-              "|---:|---:|---:|---:|---:|---:|"]
+              f"{len(rows)} windows.{cost}"]
+    head = ["immersion / deg", "uncut chip, cells", "window / N", "whole pass / N", "difference", "core-seconds"]
+    table = []
     for one in fine["windows"]:
         known = f"{one['whole_planar']:.2f}" if "whole_planar" in one else "not reached"
-        lines.append(f"| {one['immersion']:g} | {1e6 * one['uncut_chip'] / fine['spacing']:.1f} | {one['force_planar']:.2f} | "
-                     f"{known} | {share(one)} | {one['core_seconds']:.0f} |")
-    return lines + [""]
+        table.append([f"{one['immersion']:g}", f"{1e6 * one['uncut_chip'] / fine['spacing']:.1f}",
+                      f"{one['force_planar']:.2f}", known, share(one), f"{one['core_seconds']:.0f}"])
+    return [*lines, *reports.table(head, table)]

@@ -7,7 +7,6 @@ usage: measure.py PROGRAM [--scene] [--only NAME] [--no-run]
 --only NAME: runs only that one of the parts "asleep", "asleep_nearer" and "retired"
 --no-run: measures what has run, also an unfinished whole pass, or an interrupted part
 """
-import csv
 import json
 import math
 import os
@@ -16,13 +15,14 @@ import re
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+import numpy
+import swarf
+from swarf.reports import ROOT, processor
+
 from common import AHEAD, RUN_INS, WIDTH
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.append(str(HERE.parent / "speed"))
-from processor import processor
-
-ROOT = HERE.parents[1]
 DECK = ROOT / "inputs" / "micro_milling_pass.toml"
 SCENE = ROOT / "inputs" / "micro_milling.toml"
 SCENE_WINDOWS = {"first": 10, "last": 170, "step": 20, "width": 4, "run_in": 8}  # deg
@@ -35,37 +35,29 @@ PROBED = 150  # deg
 SCENE_PROBES = {"scene_probe_8": 8, "scene_probe_28": 28}
 SCENE_PROBED = 90  # deg
 SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"
-SCENE_ASLEEP = {"sleep": {"distance": re.search(r'\n\[sleep\]\ndistance = "([^"]+)"', SCENE.read_text())[1]}}
-PARTS = {"asleep": {"sleep": {"distance": SLEEP_DISTANCE}},
-         "asleep_nearer": {"sleep": {"distance": "48 um"}},
-         "retired": {"sleep": {"distance": SLEEP_DISTANCE}, "retire": {"distance": RETIRE_DISTANCE}}}
-SCENE_MASS = "2e4"  # the same windows asleep under twice the scene's mass factor
+SCENE_ASLEEP = {"sleep.distance": swarf.read_deck(SCENE)["sleep"]["distance"]}
+PARTS = {"asleep": {"sleep.distance": SLEEP_DISTANCE}, "asleep_nearer": {"sleep.distance": "48 um"},
+         "retired": {"sleep.distance": SLEEP_DISTANCE, "retire.distance": RETIRE_DISTANCE}}
+SCENE_MASS = {"run.mass_factor": 2e4}  # the same windows asleep under twice the scene's mass factor
 CUTTING = "tooth1_"  # with a helix the tooth before still leaves while this one enters: a window has not that one
 SCENES = ("scene", "scene_asleep", "scene_mass")  # windows of the whole scene
 BIN = 1.0  # deg
 
 
-def read_whole_and_awake(deck):
-    """Its text without [windows], which is its end, and [sleep]"""
-    text = re.sub(r"\n\[windows\].*", "", deck.read_text(), flags=re.S)
-    return re.sub(r"\n\[sleep\]\n(.+\n)*", "", text)
+def vary(deck, changes):
+    """The deck of this file as a whole pass, awake, with these changes."""
+    return swarf.vary(swarf.read_deck(deck), {"windows": None, "sleep": None, **changes})
 
 
-def write_deck(name, deck, sections, mass_factor=None):
+def write_deck(name, deck):
     RESULTS.mkdir(parents=True, exist_ok=True)
-    text = read_whole_and_awake(deck)
-    if mass_factor:
-        text = re.sub(r"\nmass_factor = \S+", f"\nmass_factor = {mass_factor}", text)
-    file = RESULTS / f"{name}.toml"
-    for section, keys in sections.items():
-        text += f"\n[{section}]\n" + "".join(f'{key} = "{value}"\n' for key, value in keys.items())
-    file.write_text(text)
-    return file
+    swarf.write_deck(RESULTS / f"{name}.toml", deck)
+    return RESULTS / f"{name}.toml"
 
 
-def run_windows(program, name, deck, windows, mass_factor=None, **more):
-    keys = {key: f"{value} deg" for key, value in windows.items()}
-    subprocess.run([program, "run", write_deck(name, deck, {**more, "windows": keys}, mass_factor), "--output", RESULTS / name, "--threads", "1",
+def run_windows(program, name, deck, windows, changes=None):
+    changes = {**(changes or {}), **{f"windows.{key}": f"{value} deg" for key, value in windows.items()}}
+    subprocess.run([program, "run", write_deck(name, vary(deck, changes)), "--output", RESULTS / name, "--threads", "1",
                     "--no-pictures", "--resume"], check=True)
 
 
@@ -79,19 +71,19 @@ def run(program):
         run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
-        run_windows(program, "scene_asleep", SCENE, SCENE_WINDOWS, **SCENE_ASLEEP)
-        run_windows(program, "scene_mass", SCENE, SCENE_WINDOWS, SCENE_MASS, **SCENE_ASLEEP)
+        run_windows(program, "scene_asleep", SCENE, SCENE_WINDOWS, SCENE_ASLEEP)
+        run_windows(program, "scene_mass", SCENE, SCENE_WINDOWS, SCENE_MASS | SCENE_ASLEEP)
         for name, run_in in SCENE_PROBES.items():
             one = {"first": SCENE_PROBED, "last": SCENE_PROBED, "run_in": run_in}
-            run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, **SCENE_ASLEEP)
-        run_whole(program, "scene_pass", write_deck("scene_pass", SCENE, SCENE_ASLEEP), os.cpu_count())
+            run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, SCENE_ASLEEP)
+        run_whole(program, "scene_pass", write_deck("scene_pass", vary(SCENE, SCENE_ASLEEP)), os.cpu_count())
     for name in PARTS:
         run_part(program, name)
     run_whole(program, "whole", DECK)
 
 
 def run_part(program, name):
-    run_whole(program, name, write_deck(name, DECK, PARTS[name]))
+    run_whole(program, name, write_deck(name, vary(DECK, PARTS[name])))
 
 
 def run_whole(program, name, deck, threads=1):
@@ -113,20 +105,19 @@ def keep_cost(folder):
 def read_costs(folder):
     """One for each time that the run was started."""
     before = json.loads((folder / "costs.json").read_text()) if (folder / "costs.json").exists() else []
-    return before + [json.loads((folder / "summary.json").read_text())["cost"]]
+    return before + [swarf.read(folder).summary["cost"]]
 
 
 def is_complete(folder):
-    summary = folder / "summary.json"
-    return summary.exists() and json.loads(summary.read_text())["ended"] == "complete"
+    return folder.exists() and swarf.read(folder).is_complete
 
 
 def read_samples(folder, of=""):
     """(immersion in the middle of the sample, its duration, force x, force y), of all teeth, or of CUTTING alone"""
-    names = ("immersion [deg]", "time [s]", f"{of}force_x [N]", f"{of}force_y [N]")
-    with open(folder / "history.csv", newline="") as file:
-        rows = [[float(row[name]) for name in names] for row in csv.DictReader(file) if None not in row.values()]
-    return [(0.5 * (a[0] + b[0]), b[1] - a[1], b[2], b[3]) for a, b in zip(rows, rows[1:])]
+    history = swarf.read(folder).history
+    angle = history["immersion"]
+    return list(zip(0.5 * (angle[:-1] + angle[1:]), numpy.diff(history["time"]), history[f"{of}force_x"][1:],
+                    history[f"{of}force_y"][1:]))
 
 
 def mean(samples, low, high):
@@ -153,13 +144,13 @@ def set_beside_pass(rows, whole, width):
 
 
 def measure_windows(run_in, whole):
-    folder = RESULTS / f"run_in_{run_in}"
-    joined = json.loads((folder / "windows.json").read_text())
+    of_pass = swarf.read(RESULTS / f"run_in_{run_in}")
+    joined = of_pass.joined
     windows = []
     for name, one in joined["windows"].items():
         if one["ended"] != "complete":
             continue
-        samples = read_samples(folder / name)
+        samples = read_samples(of_pass.folder / name)
         windows.append({"immersion": one["immersion"], "force_planar": one["force_planar"],
                         "error_planar": one["error_planar"], "core_seconds": one["core_seconds"],
                         "start": samples[0][0], "bins": bins(samples)})
@@ -171,38 +162,32 @@ def measure_windows(run_in, whole):
 
 def sleep_distance(deck):
     """None where nothing sleeps; run writes its deck in m"""
-    found = re.search(r'\n\[sleep\]\ndistance = "(.+) m"', deck.read_text())
-    return found and f"{1e6 * float(found[1]):g} um"
-
-
-def number(key, deck):
-    return float(re.search(rf"\n{key} = (\S+)", deck.read_text())[1])
+    distance = deck.get("sleep", {}).get("distance")
+    return distance and swarf.quantity(swarf.si(distance), "um", 6)
 
 
 def measure_probe(name, keys):
-    folder = RESULTS / name
-    one = next(iter(json.loads((folder / "windows.json").read_text())["windows"].items()))
-    samples = read_samples(folder / one[0])
-    return {**keys, "distance": sleep_distance(folder / one[0] / "deck.toml"),
-            **{key: one[1][key] for key in ("immersion", "force_planar", "error_planar", "core_seconds")},
-            "bins": bins(samples)}
+    of_pass = swarf.read(RESULTS / name)
+    window, one = next(iter(of_pass.joined["windows"].items()))
+    return {**keys, "distance": sleep_distance(of_pass.windows[window].deck),
+            **{key: one[key] for key in ("immersion", "force_planar", "error_planar", "core_seconds")},
+            "bins": bins(read_samples(of_pass.folder / window))}
 
 
 def measure_part(name):
     """A pass of which a part does nothing."""
-    summary = json.loads((RESULTS / name / "summary.json").read_text())
-    costs = read_costs(RESULTS / name)
+    run, costs = swarf.read(RESULTS / name), read_costs(RESULTS / name)
+    summary, samples = run.summary, read_samples(RESULTS / name)
     moved = sum(cost["particle_steps_per_second"] * cost["wall_seconds"] for cost in costs)
-    found = {"distance": sleep_distance(RESULTS / name / "deck.toml"), "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
+    found = {"distance": sleep_distance(run.deck), "core_seconds": sum(cost["cpu_seconds"] for cost in costs),
              "wall_seconds": sum(cost["wall_seconds"] for cost in costs),
              "threads": sorted({cost["threads"] for cost in costs}),
              "peak_memory_bytes": max(cost["peak_memory_bytes"] for cost in costs),
              **{key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")},
-             "bins": bins(read_samples(RESULTS / name)),
-             "awake": moved / (summary["particles"] * summary["steps"]),
+             "bins": bins(samples), "awake": moved / (summary["particles"] * summary["steps"]),
              "energy_residual": summary["energies"]["worst_residual_over_external"]}
-    if not is_complete(RESULTS / name):
-        found["end"] = read_samples(RESULTS / name)[-1][0]
+    if not run.is_complete:
+        found["end"] = samples[-1][0]
     if "retired" in summary:
         found |= {"retire_distance": RETIRE_DISTANCE,
                   "retired": {key: summary["retired"][key] for key in ("particles", "met_since")}}
@@ -210,19 +195,18 @@ def measure_part(name):
 
 
 def measure_scene(name):
-    folder = RESULTS / name
-    joined = json.loads((folder / "windows.json").read_text())
-    with open(folder / "windows.csv", newline="") as file:
-        rows = [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
-    names = {one["immersion"]: name for name, one in joined["windows"].items()}
+    of_pass = swarf.read(RESULTS / name)
+    forces, joined = of_pass.window_forces, of_pass.joined
+    rows = [dict(zip(forces, map(float, values))) for values in zip(*forces.values())]
+    window_at = {one["immersion"]: of_pass.windows[name] for name, one in joined["windows"].items()}
     for row in rows:
-        summary = json.loads((folder / names[row["immersion"]] / "summary.json").read_text())
+        summary = window_at[row["immersion"]].summary
         row |= {key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")}
         row |= {"peak_memory_bytes": summary["cost"]["peak_memory_bytes"]}
         row |= {"energy_residual": summary["energies"]["worst_residual_over_external"]}
-    deck = folder / next(iter(names.values())) / "deck.toml"
+    deck = next(iter(of_pass.windows.values())).deck
     return {"deck": str(SCENE.relative_to(ROOT)), **SCENE_WINDOWS, "rows": rows, "distance": sleep_distance(deck),
-            **{key: number(key, deck) for key in ("courant", "mass_factor")}, "machine": processor(),
+            **{key: deck["run"][key] for key in ("courant", "mass_factor")}, "machine": processor(),
             "predicted_core_seconds": joined["predicted_core_seconds_of_whole_pass"]}
 
 
@@ -237,7 +221,7 @@ def measure_pass():
     found = {"deck": str(DECK.relative_to(ROOT)), "whole": {"end": whole[-1][0], "bins": bins(whole)},
              "windows": [measure_windows(run_in, whole) for run_in in RUN_INS]}
     if is_complete(RESULTS / "whole"):
-        summary = json.loads((RESULTS / "whole" / "summary.json").read_text())
+        summary = swarf.read(RESULTS / "whole").summary
         found["whole"] |= {"core_seconds": summary["cost"]["cpu_seconds"], "particles": summary["particles"],
                            "steps": summary["steps"]}
     found["probes"] = [measure_probe(name, keys) for name, keys in PROBES.items()
@@ -262,8 +246,8 @@ def main():
         whole = read_samples(RESULTS / "scene_pass", CUTTING)
         for name in set(SCENES) & found.keys():
             set_beside_pass(found[name]["rows"], whole, SCENE_WINDOWS["width"])
-        found["scene_pass"] |= {"machine": processor(), "courant": number("courant", RESULTS / "scene_pass" / "deck.toml"),
-                                "cutting": bins(whole)}
+        courant = swarf.read(RESULTS / "scene_pass").deck["run"]["courant"]
+        found["scene_pass"] |= {"machine": processor(), "courant": courant, "cutting": bins(whole)}
     probes = [measure_probe(name, {"run_in": run_in}) for name, run_in in SCENE_PROBES.items()
               if (RESULTS / name / "windows.json").exists()]
     found |= {"scene_probes": probes} if probes else {}

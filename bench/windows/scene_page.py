@@ -1,5 +1,6 @@
-"""The section of docs/windows.md on the whole scene, and its picture."""
+"""The section of docs/reports/windows.md on the whole scene, and its picture."""
 import numpy
+from swarf import reports
 
 from common import COLOURS, compare, percent, ratio_of_means, save, smooth
 import matplotlib.pyplot as plt
@@ -42,7 +43,7 @@ def write_pass(found):
     whole = found["scene_pass"]
     to = f"It has run to {whole['end']:.0f} deg so far" if "end" in whole else "It ran from the entry to the exit"
     lines = ["![Force of the whole scene over immersion](windows_scene.png)", "",
-             "![The chip of the whole scene at five angles, coloured by temperature](chip_scene.png)", "",
+             "![The chip of the whole scene at five angles, coloured by temperature](../chip_scene.png)", "",
              f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"` and `courant = {whole['courant']}`: {whole['particles']} "
              f"particles and {whole['hexes']} hexes, of the particles {100 * whole['awake']:.1f} % awake on the mean. {to}: "
              f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h on "
@@ -84,17 +85,19 @@ def write_probes(found):
     middles = [angle for angle in numpy.arange(at, 0, -width)[::-1] if force(probes[-1]["bins"], angle)]
     lines = [f"### What the run-in does, at {at:g} deg", "",
              f"The same window with its far part asleep as well (`[sleep] distance = \"{probes[0]['distance']}\"`), "
-             f"after short and long run-in, in means over {width} deg while it turns, against the cutting tooth of the whole pass:",
-             "", "| immersion / deg | whole pass / N | " + " | ".join(f"run-in {one['run_in']} deg / N | difference" for one in probes)
-             + " |", "|" + "---:|" * (2 + 2 * len(probes))]
+             f"after short and long run-in, in means over {width} deg while it turns, against the cutting tooth of the whole pass:"]
+    head = ["immersion / deg", "whole pass / N"]
+    for one in probes:
+        head += [f"run-in {one['run_in']} deg / N", "difference"]
+    rows = []
     for angle in middles:
-        reference, cells = force(whole, angle), []
+        reference = force(whole, angle)
+        rows.append([f"{angle:g}", f"{reference:.2f}"])
         for one in probes:
             value = force(one["bins"], angle)
-            cells.append(f"{value:.2f} | {percent(value / reference - 1)}" if value else " | ")
-        lines.append(f"| {angle:g} | {reference:.2f} | " + " | ".join(cells) + " |")
+            rows[-1] += [f"{value:.2f}", percent(value / reference - 1)] if value else ["", ""]
     costs = " and ".join(f"{one['core_seconds']:.0f}" for one in probes)
-    return lines + ["", f"They took {costs} core-seconds.", ""]
+    return [*lines, *reports.table(head, rows), f"They took {costs} core-seconds.", ""]
 
 
 def write_change(found, title, text, name, reference):
@@ -105,15 +108,15 @@ def write_change(found, title, text, name, reference):
     costs = [sum(rows[at]["core_seconds"] for at in both) for rows in (with_it, without)]
     lines = [f"### {title}", "",
              f"{text}: the mean force of the {len(both)} differs by {percent(ratio - 1)}, standard error {100 * error:.1f} % from "
-             f"their scatter, for {costs[0]:.0f} core-seconds instead of {costs[1]:.0f}.", "",
-             "| immersion / deg | with it / N | standard error / N | without / N | difference | core-seconds | without |",
-             "|" + "---:|" * 7]
+             f"their scatter, for {costs[0]:.0f} core-seconds instead of {costs[1]:.0f}."]
+    head = ["immersion / deg", "with it / N", "standard error / N", "without / N", "difference", "core-seconds", "without"]
+    rows = []
     for at in both:
         one, other = with_it[at], without[at]
-        lines.append(f"| {at:g} | {one['force_planar']:.2f} | {one['error_planar']:.2f} | {other['force_planar']:.2f} | "
-                     f"{percent(one['force_planar'] / other['force_planar'] - 1)} | {one['core_seconds']:.0f} | "
-                     f"{other['core_seconds']:.0f} |")
-    return lines + [""]
+        rows.append([f"{at:g}", f"{one['force_planar']:.2f}", f"{one['error_planar']:.2f}", f"{other['force_planar']:.2f}",
+                     percent(one["force_planar"] / other["force_planar"] - 1), f"{one['core_seconds']:.0f}",
+                     f"{other['core_seconds']:.0f}"])
+    return [*lines, *reports.table(head, rows)]
 
 
 def write_changes(found):
@@ -143,18 +146,19 @@ def write(found):
              f"mean: {count} take {hours(count * core_seconds)} on two cores that do nothing else. From them swarf predicts "
              f"{hours(scene['predicted_core_seconds'])} for the whole pass without sleep.", ""]
     lines += write_pass(found) if "scene_pass" in found else []
-    lines += ["| immersion / deg | uncut chip at the end face / um | planar / N | standard error / N | whole pass, same tooth / N | "
-              "difference | F_x / N | F_y / N | F_z / N | particles | hexes | steps | core-seconds | memory / MiB | "
-              "energy residual | leaked |", "|" + "---:|" * 16]
+    head = ["immersion / deg", "uncut chip at the end face / um", "planar / N", "standard error / N",
+            "whole pass, same tooth / N", "difference", "F_x / N", "F_y / N", "F_z / N", "particles", "hexes", "steps",
+            "core-seconds", "memory / MiB", "energy residual", "leaked"]
+    table = []
     for row in rows:
         whole = row.get("whole_planar")
-        compared = f"{whole:.2f} | {percent(row['force_planar'] / whole - 1)}" if whole else "not reached | "
-        lines.append(f"| {row['immersion']:g} | {1e6 * row['uncut_chip']:.2f} | {row['force_planar']:.2f} | "
-                     f"{row['error_planar']:.2f} | {compared} | "
-                     f"{row['force_x']:.2f} | {row['force_y']:.2f} | {row['force_z']:.2f} | "
-                     f"{row['particles']} | {row['hexes']} | {row['steps']} | {row['core_seconds']:.0f} | "
-                     f"{row['peak_memory_bytes'] / 2**20:.0f} | {100 * row['energy_residual']:.2f} % | "
-                     f"{row['leaked_particles']} |")
-    lines.append("")
+        table.append([f"{row['immersion']:g}", f"{1e6 * row['uncut_chip']:.2f}", f"{row['force_planar']:.2f}",
+                      f"{row['error_planar']:.2f}",
+                      *((f"{whole:.2f}", percent(row["force_planar"] / whole - 1)) if whole else ("not reached", "")),
+                      *(f"{row[axis]:.2f}" for axis in ("force_x", "force_y", "force_z")),
+                      *(row[name] for name in ("particles", "hexes", "steps")), f"{row['core_seconds']:.0f}",
+                      f"{row['peak_memory_bytes'] / 2**20:.0f}", f"{100 * row['energy_residual']:.2f} %",
+                      row["leaked_particles"]])
+    lines += reports.table(head, table)
     lines += write_changes(found)
     return lines + (write_probes(found) if {"scene_probes", "scene_pass"} <= found.keys() else [])
