@@ -22,3 +22,6 @@ if(TARGET swarf AND NOT SWARF_SANITIZE)
   add_check(quick_deck demo bash ${CMAKE_SOURCE_DIR}/cmake/check_quick_deck.sh
     $<TARGET_FILE:swarf> ${CMAKE_SOURCE_DIR}/inputs/micro_milling_quick.toml)
 endif()
+
+# The Python package that the scripts and users read results with.
+add_check(python python bash ${CMAKE_SOURCE_DIR}/cmake/check_python.sh ${CMAKE_SOURCE_DIR})

@@ -7,7 +7,7 @@
 namespace swarf {
 namespace {
 
-const std::string page = "docs/accuracy_cost.md";
+const std::string page = "docs/reports/accuracy_cost.md";
 
 template <class Point>
 std::string describe_error(const Point& p) {
@@ -19,7 +19,7 @@ std::string describe_windows(const Choice& choice) {
   if (!choice.windows) return "";
   return fmt::format(
       ", in windows, whose mean differs from the whole pass by {} with {:.3g} particles across the chip "
-      "(docs/windows.md)",
+      "(docs/reports/windows.md)",
       describe_error(*choice.windows), choice.windows->chip_rows);
 }
 

@@ -1,5 +1,5 @@
-// The measured chart of accuracy against cost (docs/accuracy_cost.md), as the key run.accuracy reads it:
-// compiled in, so that the program has it wherever it runs.
+// The measured chart of accuracy against cost (docs/reports/accuracy_cost.md), as the key run.accuracy reads
+// it: compiled in, so that the program has it wherever it runs.
 #pragma once
 #include "src/deck/deck.hpp"
 
@@ -25,8 +25,8 @@ struct ChartPoint {
   double seconds_per_particle_step = 0; // of one core of the machine that measured
 };
 
-// Windows of a pass (src/windows/windows.hpp) against the whole pass in the same cells (docs/windows.md): the
-// mean force over the windows.
+// Windows of a pass (src/windows/windows.hpp) against the whole pass in the same cells
+// (docs/reports/windows.md): the mean force over the windows.
 struct WindowsPoint {
   double chip_rows = 0;                    // particles across the uncut chip
   int count = 0;                           // windows, spread over the pass

@@ -59,7 +59,9 @@ void check_cutting(const Deck& deck, const Scene& scene, Findings& found) {
   if (!cuts) return;
   const double chip = uncut_chip(deck, scene) / scene.spacing, edge = tool.edge_radius / scene.spacing;
   found.line("particles per uncut chip", "{:.1f}", chip);
-  if (chip < 4 * round_off && !deck.picked) // else the chart knows better
+  if (chip <= 0)
+    found.warn("the tool cuts nothing off: it goes above the particles");
+  else if (chip < 4 * round_off && !deck.picked) // else the chart knows better
     found.warn(fmt::format("{:.2f} particles across the uncut chip: take body.spacing <= {:.4g} um for 4",
                            chip, 1e6 * uncut_chip(deck, scene) / 4));
   found.line("particles per edge radius", "{:.1f}", edge);

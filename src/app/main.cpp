@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <limits>
 #include <thread>
 #include <unistd.h>
 #ifdef KOKKOS_ENABLE_OPENMP
@@ -94,8 +95,9 @@ int main(int argc, char** argv) {
   run->add_option("deck", options.deck, "the deck, a TOML file")->required();
   run->add_option("-o,--output", options.output, "results folder (default results/NAME of the deck)");
   run->add_option("-t,--threads", threads, "threads (default: the deck's, else all cores)")
-      ->check(CLI::PositiveNumber);
-  run->add_option("--stop-after", options.stop_after, "stop after so many steps")->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  run->add_option("--stop-after", options.stop_after, "stop after so many steps")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   CLI::Option* resume = run->add_flag("--resume", options.resume, "continue from the folder's checkpoint");
   run->add_flag("--overwrite", options.overwrite, "replace the results that the folder holds")
       ->excludes(resume);
@@ -110,7 +112,8 @@ int main(int argc, char** argv) {
 
   CLI::App* check = app.add_subcommand("check", "build the scene, say what it costs and whether it is fit");
   check->add_option("deck", options.deck, "the deck")->required();
-  check->add_option("-t,--threads", threads, "threads")->check(CLI::PositiveNumber);
+  check->add_option("-t,--threads", threads, "threads")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 
   CLI::App* keys = app.add_subcommand("keys", "print the reference of all deck keys");
 

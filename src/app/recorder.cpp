@@ -52,11 +52,13 @@ void Recorder::check_deck_of(const CheckpointReader& in) const {
   if (in.deck() == now) return;
   std::vector<std::string> changes = list_text_changes(in.deck(), now, true);
   if (changes.empty()) changes = {"the order of its sections"};
+  const bool is_end = changes.size() == 1 && changes[0].find("end_") != std::string::npos;
   throw ResultsError(
-      fmt::format("{}: belongs to another deck. What a restart must not change has changed: {}. "
+      fmt::format("{}: belongs to another deck. What a restart must not change has changed: {}{}. "
                   "Resume with the values it was written with (deck.toml in the folder has them), "
                   "or start anew with --overwrite.",
-                  folder.checkpoint().string(), fmt::join(changes, "; ")));
+                  folder.checkpoint().string(), fmt::join(changes, "; "),
+                  is_end ? ", by which the cells of the tool that conducts heat are laid out" : ""));
 }
 
 void Recorder::resume() {

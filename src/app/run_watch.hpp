@@ -28,7 +28,7 @@ class RunWatch {
   void watch_step(const Simulation& simulation);
 
   const Deck& deck;
-  double most_work = 0, worst = 0, first_step = 0;
+  double most_work = 0, last_residual = 0, off_at_end = 0, worst = 0, first_step = 0;
   bool has_touched = false, warned_of_energy = false, warned_of_step = false;
   std::vector<std::string> said;
 };

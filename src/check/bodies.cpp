@@ -85,6 +85,7 @@ class BodyCheck {
     for (std::size_t a = 0; a < deck.bodies.size(); ++a)
       for (std::size_t b = a + 1; b < deck.bodies.size(); ++b) look_at_pair(a, b);
     look_at_holds();
+    look_at_cells();
     return warnings;
   }
 
@@ -124,7 +125,8 @@ class BodyCheck {
   }
 
   std::string advice(const BodyDeck& one, const BodyDeck& other) const {
-    if (one.fill != other.fill)
+    const std::string& taken = one.fill == "hexes" ? other.tie : one.tie;
+    if (one.fill != other.fill && taken.empty())
       return fmt::format("Give the particles tie = \"{}\"", one.fill == "hexes" ? one.name : other.name);
     return "Make them one body, or fill one with particles and tie it to the other";
   }
@@ -155,6 +157,30 @@ class BodyCheck {
   static bool is_held(const BodyDeck& body) {
     return std::any_of(body.faces.begin(), body.faces.end(),
                        [](const FaceDeck& face) { return face.kind != "periodic"; });
+  }
+
+  // The surface of a body of particles is half a cell beyond their centres: half of the least edge.
+  void look_at_cells() {
+    for (const BodyDeck& body : deck.bodies) {
+      if (body.shape != "block" || body.fill != "particles") continue;
+      const Triple cells = find_cells(deck, body);
+      Triple edge;
+      for (std::size_t c = 0; c < 3; ++c) edge[c] = body.size[c] / cells[c];
+      const auto [least, most] = std::minmax_element(edge.begin(), edge.end());
+      if (*most > 1.1 * *least)
+        warnings.push_back(
+            fmt::format("the cells of body \"{}\" of line {} are {:.3g} times as long as wide: across "
+                        "the long way the tool meets it too late. Take cells nearer to cubes",
+                        body.name, body.line, *most / *least));
+      for (const FaceDeck& face : body.faces) {
+        const std::size_t axis = std::size_t(face.face[0] - 'x');
+        if (face.kind != "periodic" && face.kind != "symmetric" && axis < 3 && cells[axis] <= 2)
+          warnings.push_back(
+              fmt::format("body \"{}\" of line {} has {} layer(s) of particles across its held face "
+                          "{}: take three or more, or it is too stiff",
+                          body.name, body.line, cells[axis], face.face));
+      }
+    }
   }
 
   // A body at rest before a tool is meant to stay, as far as the tool lets it.

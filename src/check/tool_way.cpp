@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace swarf {
 namespace {
@@ -94,6 +95,19 @@ void warn_of_size(const Deck& deck, const Scene& scene, std::vector<std::string>
       describe_length(deck.tool->file_scale), describe_length(tool * (ratio < 1 ? 1000 : 0.001))));
 }
 
+// Contact looks from the points of the work to the tool: between them it sees nothing.
+void warn_of_thinness(const Deck& deck, const Scene& scene, std::vector<std::string>& warnings) {
+  const Box tool = box_of_tool(deck, scene, 0);
+  double extent = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < 3; ++c) extent = std::min(extent, tool.high[c] - tool.low[c]);
+  const double cell =
+      std::max(scene.spacing, scene.particles.count > 0 ? 0 : scene.hex_diagonal / std::sqrt(3.0));
+  if (extent >= 2 * cell) return;
+  warnings.push_back(fmt::format("the tool is {} thin and the cells of the work are {}: it may pass between "
+                                 "them unseen. Take a larger tool or smaller cells",
+                                 describe_length(extent), describe_length(cell)));
+}
+
 bool is_slice(const BodyDeck& body) {
   return std::any_of(body.faces.begin(), body.faces.end(), [](const FaceDeck& f) {
     return f.kind == "periodic" && (f.face == "z_min" || f.face == "bottom");
@@ -129,6 +143,7 @@ void warn_of_width(const Deck& deck, const Scene& scene, std::vector<std::string
 std::vector<std::string> warn_of_tool(const Deck& deck, const Scene& scene) {
   std::vector<std::string> warnings;
   warn_of_size(deck, scene, warnings);
+  warn_of_thinness(deck, scene, warnings);
   warn_if_it_misses(deck, scene, warnings);
   warn_of_width(deck, scene, warnings);
   return warnings;

@@ -110,7 +110,8 @@ const Keys<RunDeck>& run_keys() {
        "right"},
       {"accuracy", &R::accuracy, D::percentage, Range{0, 100, true, false}, optional, always,
        "asked of the mean cutting force: takes the cheapest settings of the measured chart "
-       "(docs/accuracy_cost.md) that keep it, and says which and why (swarf check: before running). They "
+       "(docs/reports/accuracy_cost.md) that keep it, and says which and why (swarf check: before running). "
+       "They "
        "take "
        "the place of what the deck has for body.spacing and cells, the thickness of a periodic slice with "
        "the "

@@ -13,7 +13,7 @@ namespace {
 std::string show(const toml::node& node) {
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });
-  std::string text = out.str();
+  std::string text = node.is_floating_point() ? fmt::format("{}", *node.value<double>()) : out.str();
   if (node.is_string()) text = fmt::format("\"{}\"", **node.as_string()); // not as an escaped literal
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
@@ -41,6 +41,20 @@ std::string quote(const std::string& text) {
   return out.str();
 }
 
+// The unit that a number without one most likely has; nothing where the value would then be refused.
+std::string advise_unit(const toml::node& node, const ValueRule& rule, const std::string& as) {
+  const std::string unit = rule.dimension == Dimension::angle              ? "deg"
+                           : rule.dimension == Dimension::angular_velocity ? "rpm"
+                                                                           : describe(rule.dimension).si;
+  const std::string quantity = show(node) + " " + unit;
+  const auto parsed = parse_quantity(quantity, rule.dimension);
+  const auto* range = std::get_if<Range>(&rule.allowed);
+  const double* x = std::get_if<double>(&parsed);
+  if (!x || (range && !is_within(*x, *range, rule.dimension))) return "";
+  const bool is_si = unit == describe(rule.dimension).si && rule.dimension != Dimension::percentage;
+  return fmt::format(". {} {}\"{}\"", is_si ? "In SI units, write" : "Write", as, quantity);
+}
+
 // One number of a value or of an array. `as` is what to write it as: "spacing = " or nothing in an array.
 std::string read_number(const toml::node& node, const ValueRule& rule, const std::string& as, double& x) {
   const DimensionText& text = describe(rule.dimension);
@@ -50,11 +64,8 @@ std::string read_number(const toml::node& node, const ValueRule& rule, const std
     x = *node.value<double>();
     if (!std::isfinite(x)) return fmt::format("expected a finite number, got {}", show(node));
   } else if (node.is_number()) {
-    const std::string advice = std::isfinite(*node.value<double>())
-                                   ? fmt::format(". In SI units, write {}\"{} {}\"", as, show(node), text.si)
-                                   : "";
     return fmt::format("expected {} with a unit such as \"{}\", got {}{}", text.name, text.example,
-                       show(node), advice);
+                       show(node), advise_unit(node, rule, as));
   } else if (node.is_string()) {
     const auto parsed = parse_quantity(**node.as_string(), rule.dimension);
     if (const auto* error = std::get_if<UnitError>(&parsed)) return error->message;

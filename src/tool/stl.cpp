@@ -83,9 +83,16 @@ class Words {
       word += char(std::tolower(static_cast<unsigned char>(text[at])));
     return word;
   }
-  // Names and what else writers add: to the end of the line.
+  // Names and what else writers add: to the end of the line, or to the first facet on it.
   void skip_line() {
-    while (at < text.size() && text[at] != '\n' && text[at] != '\r') ++at;
+    while (at < text.size() && text[at] != '\n' && text[at] != '\r') {
+      const std::size_t begin = at;
+      if (next() == "facet") {
+        at = begin;
+        return;
+      }
+      while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
+    }
   }
   double number() {
     std::string word = next();
@@ -161,6 +168,8 @@ std::string find_text(const std::string& bytes) {
   const std::string start = bytes.substr(0, 1024);
   std::size_t at = start.starts_with("\xef\xbb\xbf") ? 3 : 0;
   at = std::min(start.size(), start.find_first_not_of(" \t\r\n", at));
+  while (at < start.size() && start[at] == '#') // comments
+    at = std::min(start.size(), start.find_first_not_of(" \t\r\n", start.find_first_of("\r\n", at)));
   std::string word = start.substr(at, 5);
   for (char& c : word) c = char(std::tolower(static_cast<unsigned char>(c)));
   if (word != "solid" || start.find('\0') != start.npos) return "";

@@ -1,5 +1,5 @@
 // What a verification case reports. scripts/verify names a folder in SWARF_VERIFICATION and makes the table
-// and the plots of docs/verification.md from what lands there; without it a case is a plain test.
+// and the plots of docs/reports/verification.md from what lands there; without it a case is a plain test.
 #pragma once
 #include "tests/verification/json.hpp"
 #include <array>
@@ -94,7 +94,7 @@ struct Series {
 };
 
 struct Curve {
-  std::string file, title; // docs/verification/<file>.png
+  std::string file, title; // docs/reports/verification/<file>.png
   std::string x_label, y_label;
   std::vector<Series> series;
   bool log_log = false;

@@ -4,14 +4,15 @@
 
 namespace swarf {
 
-// Whether neighbours lack at a face or an edge, 0 to 1: from the mean of sum_j w x x, on cubic lattices of h
-// = 1.2 spacings 0.98 inside, 0.97 one row below a face, 0.68 in it, 0.47 in an edge and 0.31 in a corner.
-// There n is along the diagonal, no derivative is along the surface, and the correction would take a quarter
-// of the stable step of a disordered corner, in an edge a tenth.
+// Whether neighbours lack at a face, 0 to 1: from the mean of sum_j w x x, on cubic lattices of h = 1.2
+// spacings 0.98 inside, 0.97 one row below a face, 0.68 in it, 0.47 in an edge and 0.31 in a corner. In edges
+// and corners n is along the diagonal and no derivative is along the surface: the correction would take a
+// tenth to a quarter of the stable step there, and a column that is twisted fast does not stay bounded with
+// it.
 SWARF_FN Real lacking_neighbors(const Tensor3& A) {
   const Real mean = (A.xx + A.yy + A.zz) / Real(3);
   return Kokkos::clamp((Real(0.9) - mean) / Real(0.1), Real(0), Real(1)) *
-         Kokkos::clamp((mean - Real(0.35)) / Real(0.1), Real(0), Real(1));
+         Kokkos::clamp((mean - Real(0.5)) / Real(0.1), Real(0), Real(1));
 }
 
 // s~ of row i.
