@@ -9,8 +9,8 @@ namespace {
 void bench_hold_faces(benchmark::State& state) {
   const ParticleCube& c = particle_cube(state.range(0));
   const Particles& p = c.particles;
-  const Motion motion{p.count,       p.position,      p.velocity,   p.force,
-                      p.points.mass, p.external_work, p.constraints};
+  const Motion motion{p.count,       p.position,      p.velocity,    p.force,
+                      p.points.mass, p.external_work, p.constraints, p.points.equivalent_plastic_strain};
   const ConstraintTable table("constraints", 1);
   const int groups = p.count / 4;
   const HeldRows rows{groups,

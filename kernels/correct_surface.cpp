@@ -37,6 +37,11 @@ struct Sight {
     return false;
   }
   SWARF_FN Vector3 shift(int i) const { return load_shift(p.surface_shift, i); }
+  // Tied particles do not see all of the hexes' side: their L is not that of a linear field.
+  SWARF_FN bool is_tied(int j) const {
+    const int row = n.images > 0 && j >= n.image_first ? n.image_source(j - n.image_first) : j;
+    return row >= p.count && row < p.count + p.tied;
+  }
   SWARF_FN Tensor3 K(int i) const { // in the initial frame K0
     const Tensor3 shown = load_tensor(p.pair_stress, i);
     return initial ? without_cofactor(shown, load_tensor(p.deformation_gradient, i)) : shown;
@@ -56,17 +61,19 @@ struct Sight {
 struct Moments {
   Vector3Of<Pack> gradient, third; // sum V_j grad W, sum V_j r^2 grad W
   Pack second;                     // sum w r^2
+  Pack tied;                       // that of tied particles
 };
 
 KOKKOS_FORCEINLINE_FUNCTION Moments sum_moments(const Sight& see, int cluster, const Lanes& lanes) {
   const Pack zero(Real(0));
-  Moments m{{zero, zero, zero}, {zero, zero, zero}, zero};
-  see.for_each_pair(cluster, lanes, [&](int, const Vector3Of<Pack>& x_ij, const Pack& slope) {
+  Moments m{{zero, zero, zero}, {zero, zero, zero}, zero, zero};
+  see.for_each_pair(cluster, lanes, [&](int j, const Vector3Of<Pack>& x_ij, const Pack& slope) {
     const Pack r2 = dot(x_ij, x_ij);
     const auto grad = slope * x_ij;
     m.gradient = m.gradient + grad;
     m.third = m.third + r2 * grad;
     m.second -= slope * r2;
+    if (see.is_tied(j)) m.tied -= slope * r2;
   });
   return m;
 }
@@ -83,6 +90,10 @@ void find_surface_shifts(const Sight& see) {
           const int i = lanes.first + lane;
           const Real lacking = p.surface_shift(i, 0);
           if (!(lacking > 0)) continue;
+          if (lane_of(m.tied, lane) > 0) {
+            p.surface_shift(i, 0) = 0;
+            continue;
+          }
           const Vector3 s = (-reach * lacking / lane_of(m.second, lane)) * lane_of(m.third, lane);
           const Vector3 shift = multiply(see.K(i), s);
           p.surface_shift(i, 0) = dot(shift, lane_of(m.gradient, lane));

@@ -2,8 +2,8 @@
 // kick that moved them as if they were free. Of all velocities that obey it those nearest in kinetic energy
 // to the free ones,
 //   v_m = [m_m v_m + c sum_i m_i (v_i - (1 - c) v_f)] / [m_m + c^2 sum_i m_i],
-// which is d'Alembert's principle: the constraint does no work but that of the face. Reads constraints, mass
-// and force; writes velocity; adds to external_work what the constraint does.
+// which is d'Alembert's principle: the constraint does no work but that of the face. Reads constraints, mass,
+// plastic_strain and force; writes velocity; adds to external_work what the constraint does.
 #include "swarf/kernels.hpp"
 
 namespace swarf {
@@ -26,8 +26,9 @@ void hold_faces(const HeldRows& h, const Motion& m, const ConstraintTable& table
   Kokkos::parallel_for(
       "hold_faces", Range(0, h.groups), KOKKOS_LAMBDA(int g) {
         const int host = h.row(h.host(g));
-        const bool is_gone = m.constraints(host) & retired_bit, moves = is_moved(m, host) && !is_gone;
-        const Real c = is_gone ? Real(0) : Real(held_share);
+        const bool lets_go = (m.constraints(host) & retired_bit) || m.plastic_strain(host) > follows_until,
+                   moves = is_moved(m, host) && !lets_go;
+        const Real c = lets_go ? Real(0) : Real(held_share);
         Real inertia = kick.mass_factor * m.mass(host);
         Vector3 v_host = load_vector(m.velocity, host), momentum = inertia * v_host;
         for (int k = h.start(g); moves && k < h.start(g + 1); ++k) {

@@ -28,6 +28,7 @@ Lever make_lever(const Vector3& face_velocity) {
   m.position = VectorField("position", 3), m.velocity = VectorField("velocity", 3);
   m.force = VectorField("force", 3), m.mass = ScalarField("mass", 3);
   m.external_work = ScalarField("external_work", 3), m.constraints = View<unsigned*>("constraints", 3);
+  m.plastic_strain = ScalarField("plastic_strain", 3);
   const auto mass = host_copy(m.mass);
   mass(0) = 5, mass(1) = 2, mass(2) = 3;
   Kokkos::deep_copy(m.mass, mass);
@@ -107,6 +108,17 @@ TEST(HoldFaces, OfASleepingHostTheRowStands) {
   set_row(l.motion.force, 1, {1, 2, 3});
   step(l, 1, Real(0.1));
   for (int i = 0; i < 3; ++i) EXPECT_EQ(norm(get_row(l.motion.velocity, i)), 0);
+}
+
+// A host that flows goes elsewhere: the row is the face's, and the host is free.
+TEST(HoldFaces, OfAHostThatFlowsTheRowIsTheFaces) {
+  const Vector3 face{3, 0, -1};
+  const Lever l = make_lever(face);
+  Kokkos::deep_copy(l.motion.plastic_strain, Real(0.1));
+  set_row(l.motion.force, 0, {10, 0, 0}), set_row(l.motion.force, 1, {1, 2, 3});
+  step(l, 1, Real(0.5));
+  EXPECT_LT(norm(get_row(l.motion.velocity, 0) - Vector3{1, 0, 0}), round_off);
+  for (int i : {1, 2}) EXPECT_EQ(norm(get_row(l.motion.velocity, i) - face), 0);
 }
 
 } // namespace

@@ -134,6 +134,7 @@ struct Motion { // a set of points that Newton's law moves: particles or nodes
   VectorField position, velocity, force;
   ScalarField mass, external_work;
   View<unsigned*> constraints;
+  ScalarField plastic_strain; // of particles, for hold_faces
 };
 void kick(const Motion&, const ConstraintTable&, const Vector3& gravity, Real mass_factor, Real dt);
 void find_held_rows(const HeldRows&, const Particles&); // held.row

@@ -5,10 +5,11 @@
 namespace swarf {
 
 Motion motion_of(const Particles& p) {
-  return {p.count, p.position, p.velocity, p.force, p.points.mass, p.external_work, p.constraints};
+  return {p.count,       p.position,      p.velocity,    p.force,
+          p.points.mass, p.external_work, p.constraints, p.points.equivalent_plastic_strain};
 }
 Motion motion_of(const HexMesh& m) {
-  return {m.nodes, m.position, m.velocity, m.force, m.mass, m.external_work, m.constraints};
+  return {m.nodes, m.position, m.velocity, m.force, m.mass, m.external_work, m.constraints, {}};
 }
 
 ContactPoints contact_points_of(const Particles& p) {

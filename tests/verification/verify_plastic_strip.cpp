@@ -93,7 +93,7 @@ void stretch_evenly(double speed, bool shifting, const Faults& fault) {
 
 } // namespace
 
-TEST(PlasticStrip, StretchesEvenly) { stretch_evenly(0.3, true, {}); }
+TEST(PlasticStrip, StretchesEvenly) { stretch_evenly(0.3, true, {pairs, pairs, ""}); }
 TEST(PlasticStrip, StretchesEvenlySlowly) { stretch_evenly(0.15, true, {pairs, pairs, ""}); }
 TEST(PlasticStrip, StretchesEvenlyWithoutShifting) { stretch_evenly(0.3, false, {pairs, pairs, pairs}); }
 

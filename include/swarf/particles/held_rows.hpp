@@ -11,6 +11,10 @@ namespace swarf {
 // than three layers, the row itself is held, as it is on faces without a host (rings of a cylinder, spheres).
 inline constexpr Real held_share = Real(1) / Real(3);
 
+// A host that flows goes elsewhere, and is shifted: from this plastic strain on the row takes the face's
+// velocity.
+inline constexpr Real follows_until = Real(0.02);
+
 struct HeldRows {
   int groups = 0;         // of the particles that follow one host
   IndexField host, start; // identity of the host; its particles are start(g) .. start(g + 1) - 1
