@@ -30,7 +30,10 @@ void report_bar(const std::string& fill, int layers) {
   const double energy = stored_energy(fill, layers);
   report({"1 bar between two faces, " + fill, "elastic energy / (E strain^2 V / 2)",
           std::to_string(layers) + " layers, one face held, one driven", 1, "", "Hooke", energy,
-          relative_error(energy, 1), 0.02});
+          relative_error(energy, 1), 0.02, false,
+          fill == "particles" && layers == 4
+              ? "four edges along a bar of four layers are left out of the gradient of second order"
+              : ""});
 }
 
 } // namespace

@@ -55,7 +55,7 @@ Deck meet(const Meeting& m, const TemporaryFolder& folder) {
   ToolDeck tool;
   tool.kind = "stl", tool.file = (folder / "bar.stl").string(), tool.file_scale = 1;
   write_stl(bar(side, 0.02 * m.spacing), tool.file);
-  tool.position = {0.005 * m.spacing, 0, 0}, tool.velocity = {0, 0, m.slides ? 1.0 : 0};
+  tool.position = {0.0005 * m.spacing, 0, 0}, tool.velocity = {0, 0, m.slides ? 1.0 : 0};
   tool.material = "carbide", tool.temperature = cold;
   deck.tool = tool;
   deck.contact.stiffness = 1e-9, deck.contact.friction = m.slides ? 0.5 : 0;
