@@ -9,8 +9,8 @@ void bench_absorb_waves(benchmark::State& state) {
   const ParticleCube& c = particle_cube(state.range(0));
   const Particles& p = c.particles;
   Kokkos::deep_copy(p.damping, Real(1e6));
-  const Motion motion{p.count,       p.position,      p.velocity,   p.force,
-                      p.points.mass, p.external_work, p.constraints};
+  const Motion motion{p.count,       p.position,      p.velocity,    p.force,
+                      p.points.mass, p.external_work, p.constraints, {}};
   for (auto _ : state) absorb_waves(motion, p.damping, Real(1), Real(0)); // dt 0: the cube stays as it is
   report(state, c.count(), {17, 10.0 * sizeof(Real) + sizeof(unsigned)});
 }

@@ -9,8 +9,8 @@ namespace {
 void bench_integrate(benchmark::State& state) {
   const ParticleCube& c = particle_cube(state.range(0));
   const Particles& p = c.particles;
-  const Motion motion{p.count,       p.position,      p.velocity,   p.force,
-                      p.points.mass, p.external_work, p.constraints};
+  const Motion motion{p.count,       p.position,      p.velocity,    p.force,
+                      p.points.mass, p.external_work, p.constraints, {}};
   const ConstraintTable table("constraints", 1);
   for (auto _ : state) {
     kick(motion, table, Vector3{0, 0, 0}, Real(1), Real(0)); // dt 0: the cube stays as it is

@@ -127,9 +127,8 @@ const std::vector<DeckFault> faults = {
     fault("steep_helix", "rake =", "helix = \"80 deg\"\nrake =", "tool.helix",
           {"at most 70 deg, got \"80 deg\""}),
     fault("mass_factor_below_1", "1e4", "0.5", "run.mass_factor", {"at least 1"}),
-    fault(
-        "accuracy_without_unit", "mass_factor = 1e4", "accuracy = 3", "run.accuracy",
-        {"expected a percentage with a unit such as \"5 %\", got 3. Write accuracy = \"3 %\"."}),
+    fault("accuracy_without_unit", "mass_factor = 1e4", "accuracy = 3", "run.accuracy",
+          {"expected a percentage with a unit such as \"5 %\", got 3. Write accuracy = \"3 %\"."}),
     fault("accuracy_of_zero", "mass_factor = 1e4", "accuracy = \"0 %\"", "run.accuracy", {"more than 0 %"}),
     fault("accuracy_as_length", "mass_factor = 1e4", "accuracy = \"3 um\"", "run.accuracy",
           {"\"um\" is not a unit of this"}),

@@ -21,7 +21,7 @@ inline void compute_forces(const HexMesh& mesh, const Material& mat, const HexMe
 }
 
 inline Motion motion_of(const HexMesh& m) {
-  return {m.nodes, m.position, m.velocity, m.force, m.mass, m.external_work, m.constraints};
+  return {m.nodes, m.position, m.velocity, m.force, m.mass, m.external_work, m.constraints, {}};
 }
 
 struct Surroundings {

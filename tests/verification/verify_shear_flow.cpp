@@ -80,14 +80,7 @@ void shear_far(bool shifting, bool order_at_start, const Faults& fault) {
 // % of the plastic work of it.
 const std::string spreads = "the middle has changed particles or values with the rows near the plates, which "
                             "are strained less";
-const std::string strings =
-    "particles out of order gather in strings, which slide past one another without a "
-    "strain that the gradient sees";
-
 } // namespace
 
 TEST(ShearFlow, StaysEvenToTen) { shear_far(true, true, {spreads, "", "", "", ""}); }
 TEST(ShearFlow, FromDisorderToTen) { shear_far(true, false, {spreads, "", "", "", ""}); }
-TEST(ShearFlow, FromDisorderToTenWithoutShifting) {
-  shear_far(false, false, {strings, strings, strings, strings, strings});
-}
