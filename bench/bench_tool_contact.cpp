@@ -3,6 +3,7 @@
 // search its facets. Reals: position 3, area, friction_force 3 in; contact_force 3, friction_force 3,
 // contact_energy out.
 #include "bench/support/particle_cube.hpp"
+#include "src/simulation/simulation.hpp"
 #include "src/tool/geometry.hpp"
 #include <filesystem>
 
@@ -21,21 +22,7 @@ void bench_tool_contact(benchmark::State& state) {
   pose.position = {Real(0.1) * spacing, Real(-0.5 * edge), Real(0.5 * edge)};
   ContactLaw law;
   law.friction = Real(0.2), law.stiffness = Real(0.1), law.heat_to_workpiece = Real(0.5);
-  const ContactPoints points{p.count,
-                             p.position,
-                             p.velocity,
-                             p.points.mass,
-                             p.contact_gap,
-                             p.contact_area,
-                             p.force,
-                             p.friction_force,
-                             p.contact_force,
-                             p.friction_work,
-                             p.contact_energy,
-                             p.points.temperature,
-                             p.points.material,
-                             p.points.equivalent_plastic_strain,
-                             p.points.plastic_strain_rate};
+  const ContactPoints points = contact_points_of(p);
   for (auto _ : state) tool_contact(points, tool, pose, law, c.materials, Real(1), time_step);
   report(state, c.count(), {15, 14.0 * sizeof(Real)});
   state.counters["touching"] = count_points_inside(points, tool, pose, -Real(0.5) * spacing);
