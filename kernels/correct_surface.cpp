@@ -1,4 +1,5 @@
-// L_i += (s_i . grad L)_i (1 - n_i n_i) for particles that lack neighbours: what a one-sided kernel misses.
+// L_i += (s_i . grad L)_i (1 - n_i n_i - b_i b_i) for particles that lack neighbours: what a one-sided kernel
+// misses. b: 0 in a face; in an edge, where n is the diagonal, the other direction across.
 // Of a field of second order the corrected gradient is that of a point inside: for the derivatives along a
 // flat face 0.26 spacings, h = 1.2 spacings, cubic lattice. The gradient of L, itself of first order,
 //   (s_i . grad L)_i = sum_j V_j (s~_i . grad W_ij) (L_j - L_i),  s~ = K s,  n = s~ / |s~|,
@@ -12,8 +13,8 @@
 // of the inside. A linear field stays exact, so that rotation does. In the initial frame all this is done to
 // F and dF/dt, over the initial positions. Reads position or build_position, velocity_gradient,
 // deformation_gradient, volume, inverse_support, K in pair_stress, and in surface_shift how far neighbours
-// lack; writes velocity_gradient, deformation_gradient, K and surface_shift, rows [0, count); surface_term is
-// its own.
+// lack; writes velocity_gradient, deformation_gradient, K, surface_shift and edge_normal, rows [0, count);
+// surface_term is its own.
 #include "copy_to_images.hpp"
 #include "correction.hpp"
 #include "swarf/particles/pair.hpp"
@@ -36,12 +37,7 @@ struct Sight {
       if (p.surface_shift(i, 0) != 0) return true;
     return false;
   }
-  SWARF_FN Vector3 shift(int i) const { return load_shift(p.surface_shift, i); }
-  // Tied particles do not see all of the hexes' side: their L is not that of a linear field.
-  SWARF_FN bool is_tied(int j) const {
-    const int row = n.images > 0 && j >= n.image_first ? n.image_source(j - n.image_first) : j;
-    return row >= p.count && row < p.count + p.tied;
-  }
+  SWARF_FN SurfaceFrame frame(int i) const { return surface_frame(p.surface_shift, p.edge_normal, i); }
   SWARF_FN Tensor3 K(int i) const { // in the initial frame K0
     const Tensor3 shown = load_tensor(p.pair_stress, i);
     return initial ? without_cofactor(shown, load_tensor(p.deformation_gradient, i)) : shown;
@@ -61,19 +57,17 @@ struct Sight {
 struct Moments {
   Vector3Of<Pack> gradient, third; // sum V_j grad W, sum V_j r^2 grad W
   Pack second;                     // sum w r^2
-  Pack tied;                       // that of tied particles
 };
 
 KOKKOS_FORCEINLINE_FUNCTION Moments sum_moments(const Sight& see, int cluster, const Lanes& lanes) {
   const Pack zero(Real(0));
-  Moments m{{zero, zero, zero}, {zero, zero, zero}, zero, zero};
+  Moments m{{zero, zero, zero}, {zero, zero, zero}, zero};
   see.for_each_pair(cluster, lanes, [&](int j, const Vector3Of<Pack>& x_ij, const Pack& slope) {
     const Pack r2 = dot(x_ij, x_ij);
     const auto grad = slope * x_ij;
     m.gradient = m.gradient + grad;
     m.third = m.third + r2 * grad;
     m.second -= slope * r2;
-    if (see.is_tied(j)) m.tied -= slope * r2;
   });
   return m;
 }
@@ -90,14 +84,17 @@ void find_surface_shifts(const Sight& see) {
           const int i = lanes.first + lane;
           const Real lacking = p.surface_shift(i, 0);
           if (!(lacking > 0)) continue;
-          if (lane_of(m.tied, lane) > 0) {
-            p.surface_shift(i, 0) = 0;
-            continue;
-          }
           const Vector3 s = (-reach * lacking / lane_of(m.second, lane)) * lane_of(m.third, lane);
-          const Vector3 shift = multiply(see.K(i), s);
+          const Tensor3 K = see.K(i);
+          const Vector3 shift = multiply(K, s);
           p.surface_shift(i, 0) = dot(shift, lane_of(m.gradient, lane));
           p.surface_shift(i, 1) = shift.x, p.surface_shift(i, 2) = shift.y, p.surface_shift(i, 3) = shift.z;
+          const Real length = norm(shift);
+          if (length > 0)
+            store_vector(p.edge_normal, i,
+                         edge_normal_of(inverse(K, determinant(K)), (Real(1) / length) * shift));
+          else
+            p.surface_shift(i, 0) = 0;
         }
       });
 }
@@ -112,7 +109,7 @@ struct DeformationRates {
   SWARF_FN Tensor3 operator()(int i) const { return multiply(load_tensor(L, i), load_tensor(F, i)); }
 };
 
-// (s . grad A) (1 - n n) to surface_term.
+// (s . grad A) (1 - n n - b b) to surface_term.
 template <class Tensors>
 void find_changes(const Sight& see, const Tensors& A) {
   Kokkos::parallel_for(
@@ -134,7 +131,7 @@ void find_changes(const Sight& see, const Tensors& A) {
           const int i = lanes.first + lane;
           if (see.p.surface_shift(i, 0) == 0) continue;
           const Tensor3 change = lane_of(sum, lane) + (-see.p.surface_shift(i, 0)) * A(i);
-          store_tensor(see.p.surface_term, i, along_surface(change, see.shift(i)));
+          store_tensor(see.p.surface_term, i, along_surface(change, see.frame(i)));
         }
       });
 }

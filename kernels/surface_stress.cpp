@@ -1,4 +1,5 @@
-// The adjoint of correct_surface in the forces: with T_i = sigma_i (1 - n_i n_i) the work of the stresses is
+// The adjoint of correct_surface in the forces: with T_i = sigma_i (1 - n_i n_i - b_i b_i) the work of the
+// stresses is
 //   sum_i V_i [sigma_i : L_i + T_i : sum_j V_j (s~_i . grad W_ij) (L_j - L_i)] =
 //       sum_k V_k (sigma_k + t_k) : L_k,
 //   t_k = sum_i V_i T_i (s~_i . grad_i W_ik) - T_k sum_j V_j (s~_k . grad W_kj),
@@ -17,7 +18,7 @@ SWARF_FN Tensor3 stress_along_surface(const Particles& p, int i) {
   Tensor3 stress = to_tensor(load_symmetric(p.points.stress, i));
   if (p.deformation_gradient.extent(0) > 0)
     stress = multiply(stress, cofactor(load_tensor(p.deformation_gradient, i)));
-  return along_surface(stress, load_shift(p.surface_shift, i));
+  return along_surface(stress, surface_frame(p.surface_shift, p.edge_normal, i));
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> sum_stresses(const Particles& p, const Neighbors& n, int cluster,
@@ -31,7 +32,7 @@ KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> sum_stresses(const Particles& p, con
     if (p.surface_shift(i, 0) == 0) return;
     const auto x_ki = x_k - broadcast_vector(from, i);
     const Pack slope = pair_slope(p.volume(i), x_ki, mean_inverse_h(inverse_support_k, p.inverse_support(i)));
-    const Vector3 s = load_shift(p.surface_shift, i);
+    const Vector3 s = surface_frame(p.surface_shift, p.edge_normal, i).shift;
     const Pack share = slope * (Pack(-s.x) * x_ki.x + Pack(-s.y) * x_ki.y + Pack(-s.z) * x_ki.z);
     const Tensor3 T = stress_along_surface(p, i);
     t.xx += share * Pack(T.xx), t.xy += share * Pack(T.xy), t.xz += share * Pack(T.xz);

@@ -11,6 +11,7 @@ constexpr Real spacing = Real(2.5e-6);
 ParticleBlock block_with_surface(int nx, int ny, int nz, Real disorder) {
   ParticleBlock b = particle_block(nx, ny, nz, spacing, disorder);
   b.particles.surface_shift = View<Real* [4]>("surface_shift", b.particles.count);
+  b.particles.edge_normal = VectorField("edge_normal", b.particles.count);
   b.particles.surface_term = TensorField("surface_term", b.particles.count);
   build_lists(b);
   return b;
@@ -66,6 +67,52 @@ TEST(CorrectSurface, SumsTheEnergyOfBending) {
         sum += std::pow(double(L(i, 0) * spacing), 2);
     EXPECT_NEAR(sum * 12 / std::pow(layers, 3), 1, 0.02) << layers << " layers";
   }
+}
+
+// A square bar of n x n particles that bends, about an axis along a face or along a diagonal: sum of L_xx^2
+// over the section against the integral over it, n^4 / 12 for any axis. Along its edges the correction acts
+// as well.
+TEST(CorrectSurface, SumsTheEnergyOfABarThatBends) {
+  for (const int across : {4, 6, 8})
+    for (const double angle : {0.0, std::acos(-1.0) / 4}) {
+      ParticleBlock b = block_with_surface(13, across, across, 0);
+      const Vector3 middle{Real(6.5) * spacing, Real(0.5) * across * spacing, Real(0.5) * across * spacing};
+      const Real c = Real(std::cos(angle)), s = Real(std::sin(angle));
+      set_velocity(b, [&](const Vector3& x) {
+        const Vector3 r = (1 / spacing) * (x - middle);
+        const Real bent = Real(-0.5) * r.x * r.x;
+        return Vector3{r.x * (c * r.y + s * r.z), c * bent, s * bent};
+      });
+      find_gradients(b);
+      const auto x = host_copy(b.particles.position);
+      const auto L = host_copy(b.particles.points.velocity_gradient);
+      double sum = 0;
+      for (int i = 0; i < b.particles.count; ++i)
+        if (std::abs(x(i, 0) - middle.x) < spacing / 4) sum += std::pow(double(L(i, 0) * spacing), 2);
+      EXPECT_NEAR(sum * 12 / std::pow(across, 4), 1, 0.03) << across << " across, axis at " << angle;
+    }
+}
+
+// In an edge no derivative but that along it changes.
+TEST(CorrectSurface, LeavesDerivativesAcrossAnEdgeAlone) {
+  ParticleBlock b = block_with_surface(13, 8, 8, 0);
+  set_velocity(b, [](const Vector3& x) {
+    const Vector3 r = (1 / spacing) * x;
+    return Vector3{r.y * r.z, r.y * r.y, r.z * r.z};
+  });
+  velocity_gradient(b.particles, b.neighbors, b.method);
+  const auto before = host_copy(copy_of(b.particles.points.velocity_gradient));
+  correct_surface(b.particles, b.neighbors, {});
+  const auto L = host_copy(b.particles.points.velocity_gradient);
+  const auto x = host_copy(b.particles.position);
+  int edges = 0;
+  for (int i = 0; i < b.particles.count; ++i)
+    if (std::abs(x(i, 0) - Real(6.5) * spacing) < spacing / 4 && x(i, 1) < spacing && x(i, 2) < spacing) {
+      ++edges;
+      for (const int across : {1, 2, 4, 5, 7, 8}) // d/dy and d/dz
+        EXPECT_NEAR(L(i, across), before(i, across), round_off * 10);
+    }
+  EXPECT_EQ(edges, 1);
 }
 
 // The derivative across the face is that of the plain correction.

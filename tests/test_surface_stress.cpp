@@ -17,6 +17,7 @@ Balance balance_of_forces(bool initial, const ImagePlanes& planes = {}) {
   ParticleBlock b = particle_block(9, 8, 7, Real(1e-3), Real(0.1));
   Particles& p = b.particles;
   p.surface_shift = View<Real* [4]>("surface_shift", p.count);
+  p.edge_normal = VectorField("edge_normal", p.count);
   p.surface_term = TensorField("surface_term", p.count);
   const auto s = host_copy(p.points.stress);
   const auto v = host_copy(p.velocity);

@@ -33,6 +33,7 @@ inline SurfaceCube surface_cube(int64_t size) {
   SurfaceCube s{cube, cube.particles, {}, {}};
   Particles& p = s.particles;
   p.surface_shift = View<Real* [4]>("surface_shift", p.count);
+  p.edge_normal = VectorField("edge_normal", p.count);
   p.surface_term = TensorField("surface_term", p.count);
   velocity_gradient(p, cube.neighbors, cube.method);
   s.L = Kokkos::create_mirror(ExecSpace::memory_space{}, p.points.velocity_gradient);

@@ -220,7 +220,7 @@ const Keys<ContactDeck>& contact_keys() {
       {"friction", &C::friction, D::none, Range{0, 10}, required, always,
        "Coulomb coefficient between tool and bodies"},
       {"shear_limit", &C::shear_limit, D::pressure, positive, optional, always, "largest friction stress"},
-      {"stiffness", &C::stiffness, D::none, Range{0, 1, true, false}, "0.1", always,
+      {"stiffness", &C::stiffness, D::none, Range{0, 1, true, false}, "0.5", always,
        "of the penalty spring, in units of (scaled mass) / dt^2; where it is soft the tool sinks in, and the "
        "thrust force of a cut grows"},
       {"heat_to_workpiece", &C::heat_to_workpiece, D::none, share, optional, always,

@@ -125,9 +125,7 @@ double mean_ratio(const std::vector<double>& force, const std::vector<double>& d
 TEST(HertzLong, SphereOnElasticLayer) {
   const std::string file = write_cap();
   const char* const source = "Hertz, with the finite thickness of Dimitriadis et al. 2002";
-  const char* const soft_spring = "the penalty spring, 0.1 mass / dt^2, gives way as much as 1.3 spacings of "
-                                  "the material do: an error of "
-                                  "first order in spacing / contact radius";
+  const double shipped = default_deck().contact.stiffness;
   const char* const loaded_inside = "converges slowly from above: 5.6, 5.1, 4.8 % with 3, 4, 5 cells; the "
                                     "particles that the tool loads lie half a "
                                     "spacing inside";
@@ -140,26 +138,25 @@ TEST(HertzLong, SphereOnElasticLayer) {
     curve.series[0].x.push_back(k / 50.0),
         curve.series[0].y.push_back(layer_force(depth * k / 50, thickness));
   for (const std::string fill : {"hexes", "particles"})
-    for (const double stiffness : {0.1, 1.0}) {
+    for (const double stiffness : {shipped, 1.0}) {
       std::array<double, 3> size{}, error{};
       double by_tool = 0, by_surface = 0;
       for (int k = stiffness < 1 ? 0 : 2; k < 3; ++k) {
         Deck deck = layer(fill, 2 + k, file);
         deck.contact.stiffness = stiffness;
         const Press p = press(deck);
-        // Particles are held at their centres, half a spacing above the face.
-        const double held = fill == "particles" ? thickness - 0.5 * a / (2 + k) : thickness;
-        by_tool = mean_ratio(p.force, p.tool, held), by_surface = mean_ratio(p.force, p.surface, held);
+        by_tool = mean_ratio(p.force, p.tool, thickness);
+        by_surface = mean_ratio(p.force, p.surface, thickness);
         size[std::size_t(k)] = 1.0 / (2 + k), error[std::size_t(k)] = std::abs(by_tool - 1);
         if (k < 2) continue;
-        Series series{fill + ", stiffness " + (stiffness == 1 ? "1" : "0.1"), p.tool, p.force};
+        Series series{fill + fmt::format(", stiffness {:g}", stiffness), p.tool, p.force};
         for (double& x : series.x) x /= depth;
         curve.series.push_back(series);
       }
       const std::string name = "8 Hertz, " + fill;
-      const char* const fault = stiffness < 1 ? soft_spring : fill == "particles" ? loaded_inside : "";
+      const char* const fault = fill == "particles" ? loaded_inside : "";
       const std::string parameters =
-          std::string("4 cells per contact radius, contact.stiffness ") + (stiffness == 1 ? "1" : "0.1");
+          fmt::format("4 cells per contact radius, contact.stiffness {:g}", stiffness);
       report({name, "force / reference, by the depth of the tool", parameters, 1, "", source, by_tool,
               std::abs(by_tool - 1), 0.05, false, fault});
       report({name, "force / reference, by the depth of the surface", parameters, 1, "", source, by_surface,

@@ -37,6 +37,7 @@ struct Particles {
 
   // Of particles that lack neighbours (correct_surface.cpp); 0 rows without correction.
   View<Real* [4]> surface_shift; // sum_j V_j s~.grad W_ij (-), 0 inside, and s~, m
+  VectorField edge_normal;       // across s~, in an edge: the other direction in which neighbours lack
   TensorField surface_term; // what they add to L, 1/s (or F, dF/dt); then, to the stress in the forces, Pa
 
   ScalarField heat;    // J that conduction brought last, rows [0, count + tied); 0 rows without it
@@ -85,6 +86,7 @@ struct Particles {
           Facts<scalar_and_vector, pair, in_diffuse_pressure, with_pressure_diffusion>());
     visit("surface_shift", p.surface_shift,
           Facts<scalar_and_vector, pair, in_surface_stress, with_surface_gradient>());
+    visit("edge_normal", p.edge_normal, Facts<vector, pair, in_surface_stress, with_surface_gradient>());
     visit("surface_term", p.surface_term, Facts<tensor, with_surface_gradient>());
     visit("hourglass_displacement", p.hourglass_displacement,
           Facts<vector, history, before_forces, with_hourglass_stiffness, transported>());
