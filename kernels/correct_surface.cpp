@@ -62,7 +62,7 @@ struct Moments {
 KOKKOS_FORCEINLINE_FUNCTION Moments sum_moments(const Sight& see, int cluster, const Lanes& lanes) {
   const Pack zero(Real(0));
   Moments m{{zero, zero, zero}, {zero, zero, zero}, zero};
-  see.for_each_pair(cluster, lanes, [&](int j, const Vector3Of<Pack>& x_ij, const Pack& slope) {
+  see.for_each_pair(cluster, lanes, [&](int, const Vector3Of<Pack>& x_ij, const Pack& slope) {
     const Pack r2 = dot(x_ij, x_ij);
     const auto grad = slope * x_ij;
     m.gradient = m.gradient + grad;
