@@ -87,7 +87,7 @@ struct ToolDeck {
 struct ContactDeck {
   double friction = 0;
   std::optional<double> shear_limit;       // Pa
-  double stiffness = 0.5;                  // penalty / (scaled mass / dt^2)
+  double stiffness = 1;                    // at most, penalty / (scaled mass / dt^2)
   std::optional<double> heat_to_workpiece; // share of the friction work, of a tool without a material
   std::optional<double> conductance;       // W/(m2 K), of one with a material; not given: perfect contact
   bool operator==(const ContactDeck&) const = default;

@@ -220,9 +220,10 @@ const Keys<ContactDeck>& contact_keys() {
       {"friction", &C::friction, D::none, Range{0, 10}, required, always,
        "Coulomb coefficient between tool and bodies"},
       {"shear_limit", &C::shear_limit, D::pressure, positive, optional, always, "largest friction stress"},
-      {"stiffness", &C::stiffness, D::none, Range{0, 1, true, false}, "0.5", always,
-       "of the penalty spring, in units of (scaled mass) / dt^2; where it is soft the tool sinks in, and the "
-       "thrust force of a cut grows"},
+      {"stiffness", &C::stiffness, D::none, Range{0, 1, true, false}, "1.0", always,
+       "most of the contact's spring, in units of (scaled mass) / dt^2; a particle's is that of the material "
+       "between it and its surface, as far as this allows; softer, the tool sinks in, and the thrust force "
+       "of a cut grows"},
       {"heat_to_workpiece", &C::heat_to_workpiece, D::none, share, optional, always,
        "share of the friction work that heats the bodies; the rest is lost to the tool; not given: 0.5. Of a "
        "tool without a material only"},

@@ -5,6 +5,7 @@
 #include "src/tool/geometry.hpp"
 #include "tests/verification/case.hpp"
 #include "tests/verification/point_masses.hpp"
+#include <fmt/format.h>
 #include <unistd.h>
 
 using namespace swarf;
@@ -70,23 +71,11 @@ Deck layer(const std::string& fill, int cells, const std::string& file) {
 }
 
 struct Press {
-  std::vector<double> tool, surface, force; // depth of the tool's pole and of the layer's surface, m; N
+  std::vector<double> tool, surface, force; // depth of the tool's pole and of the hexes' surface, m; N
 };
 
-// How far the surface has sunk at the axis: from the two uppermost particles or from the node there.
+// How far the node at the axis has sunk.
 double sunk(const Scene& scene, double spacing) {
-  const Particles& p = scene.particles;
-  if (p.count > 0) {
-    const auto x = host_copy(p.position);
-    const auto id = host_copy(p.identity);
-    const int layers = int(std::lround(thickness / spacing)), column = 0;
-    double first = 0, second = 0;
-    for (int i = 0; i < p.count; ++i) {
-      if (id(i) == column + layers - 1) first = -0.5 * spacing - double(x(i, 2));
-      if (id(i) == column + layers - 2) second = -1.5 * spacing - double(x(i, 2));
-    }
-    return 1.5 * first - 0.5 * second + 0.5 * spacing * spacing / (2 * R);
-  }
   const auto x = host_copy(scene.hexes.position);
   for (int n = 0; n < scene.hexes.nodes; ++n)
     if (std::abs(double(x(n, 0))) + std::abs(double(x(n, 1))) < 1e-3 * spacing &&
@@ -122,13 +111,11 @@ double mean_ratio(const std::vector<double>& force, const std::vector<double>& d
 
 } // namespace
 
+// The material between a particle and its surface is in no pair of particles: the contact's spring stands for
+// it. With a stiff one the same layer of particles is 9 % too stiff at 4 cells.
 TEST(HertzLong, SphereOnElasticLayer) {
   const std::string file = write_cap();
   const char* const source = "Hertz, with the finite thickness of Dimitriadis et al. 2002";
-  const double shipped = default_deck().contact.stiffness;
-  const char* const loaded_inside = "converges slowly from above: 5.6, 5.1, 4.8 % with 3, 4, 5 cells; the "
-                                    "particles that the tool loads lie half a "
-                                    "spacing inside";
   Curve curve{"hertz",
               "Rigid sphere on an elastic layer, 4 cells per contact radius",
               "depth / last depth",
@@ -137,34 +124,27 @@ TEST(HertzLong, SphereOnElasticLayer) {
   for (int k = 0; k <= 50; ++k)
     curve.series[0].x.push_back(k / 50.0),
         curve.series[0].y.push_back(layer_force(depth * k / 50, thickness));
-  for (const std::string fill : {"hexes", "particles"})
-    for (const double stiffness : {shipped, 1.0}) {
-      std::array<double, 3> size{}, error{};
-      double by_tool = 0, by_surface = 0;
-      for (int k = stiffness < 1 ? 0 : 2; k < 3; ++k) {
-        Deck deck = layer(fill, 2 + k, file);
-        deck.contact.stiffness = stiffness;
-        const Press p = press(deck);
-        by_tool = mean_ratio(p.force, p.tool, thickness);
-        by_surface = mean_ratio(p.force, p.surface, thickness);
-        size[std::size_t(k)] = 1.0 / (2 + k), error[std::size_t(k)] = std::abs(by_tool - 1);
-        if (k < 2) continue;
-        Series series{fill + fmt::format(", stiffness {:g}", stiffness), p.tool, p.force};
-        for (double& x : series.x) x /= depth;
-        curve.series.push_back(series);
-      }
-      const std::string name = "8 Hertz, " + fill;
-      const char* const fault = fill == "particles" ? loaded_inside : "";
-      const std::string parameters =
-          fmt::format("4 cells per contact radius, contact.stiffness {:g}", stiffness);
+  for (const std::string fill : {"hexes", "particles"}) {
+    const std::string name = "8 Hertz, " + fill;
+    const bool is_particles = fill == "particles";
+    for (const int cells : {2, 3, 4}) {
+      const std::string parameters = fmt::format("{} cells per contact radius, shipped defaults", cells);
+      const Press p = press(layer(fill, cells, file));
+      const double by_tool = mean_ratio(p.force, p.tool, thickness);
+      const char* const coarse =
+          "the spring of a node, 1 mass / dt^2, gives way: of first order in spacing / contact radius";
       report({name, "force / reference, by the depth of the tool", parameters, 1, "", source, by_tool,
-              std::abs(by_tool - 1), 0.05, false, fault});
+              std::abs(by_tool - 1), 0.05, false, is_particles || cells > 2 ? "" : coarse});
+      if (cells < 4) continue;
+      Series series{fill, p.tool, p.force};
+      for (double& x : series.x) x /= depth;
+      curve.series.push_back(series);
+      if (is_particles) continue; // their surface is where the tool is
+      const double by_surface = mean_ratio(p.force, p.surface, thickness);
       report({name, "force / reference, by the depth of the surface", parameters, 1, "", source, by_surface,
-              std::abs(by_surface - 1), 0.05, false, fault});
-      if (stiffness < 1)
-        report_order(name, "force by the depth of the tool", "2, 3, 4 cells per contact radius", size, error,
-                     1, 0.4, "the gap of the spring is in proportion to the spacing");
+              std::abs(by_surface - 1), 0.05});
     }
+  }
   write_curve(curve);
   std::filesystem::remove(file);
 }
