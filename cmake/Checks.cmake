@@ -1,8 +1,9 @@
-# Tests that are not GoogleTest programs. Each prints its reason and returns 77 where it cannot run.
+# Tests that are not GoogleTest programs. Each prints its reason and returns 77 where it cannot run. Some build, and two
+# builds in one folder disturb each other.
 
 function(add_check name label)
   add_test(NAME ${name} COMMAND ${ARGN})
-  set_tests_properties(${name} PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77 TIMEOUT 1200 PROCESSORS 2)
+  set_tests_properties(${name} PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77 TIMEOUT 1200 PROCESSORS 2 RESOURCE_LOCK build)
 endfunction()
 
 # First of all, because it takes no time.

@@ -17,13 +17,13 @@ function(names_of file result) # and in RESULT_used every word of it
     if(statement MATCHES "^\n+(namespace|using [a-z:_]*(namespace|::)|[A-Z_]+\\(|[a-z_]+ = )")
       # nothing new: also TEST(..), BENCHMARK(..), and the decks in strings
       continue()
-    elseif(statement MATCHES "^\n+[^(=]*[ *&\n]([A-Za-z_0-9]+)\\(")    # a function or an array
+    elseif(statement MATCHES "^\n+[^(=]*[ *&\n]([A-Za-z_0-9]+)\\(") # a function or an array
       list(APPEND names ${CMAKE_MATCH_1})
     elseif(statement MATCHES "(struct|class|enum|union) ([A-Za-z_0-9]+)")
       list(APPEND names ${CMAKE_MATCH_2})
     else()
       string(REGEX MATCHALL "[A-Za-z_][A-Za-z_0-9]* = " assigned "${statement}")
-      string(REGEX MATCH "[A-Za-z_][A-Za-z_0-9]* *$" last "${statement}")       # before its brace or semicolon
+      string(REGEX MATCH "[A-Za-z_][A-Za-z_0-9]* *$" last "${statement}") # before its brace or semicolon
       list(APPEND names ${assigned} ${last})
     endif()
   endforeach()
@@ -37,6 +37,7 @@ endfunction()
 
 # group_files(RESULT MOST FILE...): the numbers of the groups in RESULT, group N in RESULT_N: at most MOST files, or one.
 function(group_files result most)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN}) # names change
   set(groups "")
   foreach(file IN LISTS ARGN)
     names_of(${file} names)
