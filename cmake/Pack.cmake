@@ -29,8 +29,8 @@ set(processors "Built with SWARF_PORTABLE: runs on every processor of its archit
 if(NOT SWARF_PORTABLE)
   set(processors "Built for the processor that it was built on, and for those that have its instructions.")
 endif()
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}\n Particles (SPH) tied to hexahedra (FEM), \
-a rigid tool, Johnson-Cook plasticity and heat.\n ${processors}")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Particles (SPH) tied to hexahedra (FEM), \
+a rigid tool, Johnson-Cook plasticity and heat.\n${processors}")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-numpy, python3-h5py, python3-matplotlib")
@@ -39,6 +39,7 @@ if(SWARF_PICTURES)
 endif()
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/pack_depends.cmake)
 set(CPACK_SWARF_PROGRAM ${PROJECT_BINARY_DIR}/packed/swarf)
+set(CPACK_SWARF_ARCHITECTURE ${CMAKE_LIBRARY_ARCHITECTURE}) # "x86_64-linux-gnu"
 include(CPack)
 
 add_custom_target(deb COMMAND ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake

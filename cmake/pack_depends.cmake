@@ -2,7 +2,7 @@
 # goes along, which is of another Debian. Names of library packages carry the version of the library's interface.
 execute_process(COMMAND readelf -d ${CPACK_SWARF_PROGRAM} OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "Shared library: .[^]]+" libraries "${dynamic}")
-list(TRANSFORM libraries REPLACE "Shared library: ." "*/")
+list(TRANSFORM libraries REPLACE "Shared library: ." "*/${CPACK_SWARF_ARCHITECTURE}/")
 list(FILTER libraries EXCLUDE REGEX "libkokkos")
 set(packages "")
 foreach(library IN LISTS libraries)
