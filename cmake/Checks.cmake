@@ -3,7 +3,7 @@
 
 function(add_check name label)
   add_test(NAME ${name} COMMAND ${ARGN})
-  set_tests_properties(${name} PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77 TIMEOUT 1200 PROCESSORS 2 RESOURCE_LOCK build)
+  set_tests_properties(${name} PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77 TIMEOUT 1200 PROCESSORS 2 RESOURCE_LOCK build COST 1000)
 endfunction()
 
 # First of all, because it takes no time.
