@@ -34,10 +34,13 @@ SWARF_FN HeatContact heat_contact(const ContactPoints& points, int i, const Tool
   const Real area = points.area(i), half_interface = Real(0.5) * law.heat_resistance;
   const int cell = points.tool_cell(i);
   HeatContact at;
-  at.work_capacity = is_node ? points.heat_capacity(i) : heat_capacity(mat, points.mass(i));
-  at.work_temperature = points.temperature(i) + (is_node ? points.heat(i) / at.work_capacity : Real(0));
+  const Real T = points.temperature(i);
+  at.work_capacity = (is_node ? points.heat_capacity(i) : heat_capacity(mat, points.mass(i))) *
+                     (specific_heat_at(mat, T) / mat.specific_heat);
+  at.work_temperature = T + (is_node ? points.heat(i) / at.work_capacity : Real(0));
   at.tool_temperature = heat.temperature(cell);
-  at.work_resistance = (half_interface + (is_node ? Real(0) : points.gap(i) / mat.conductivity)) / area;
+  at.work_resistance =
+      (half_interface + (is_node ? Real(0) : points.gap(i) / conductivity_at(mat, T))) / area;
   at.tool_resistance = (half_interface + heat.depth(cell) / heat.conductivity) / area;
   return at;
 }
@@ -75,7 +78,8 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
         store_vector(points.force, i, load_vector(points.force, i) + response.force);
         points.friction_work(i) += response.dissipated;
         if (!heats) return;
-        const Material& mat = materials(is_node ? 0 : points.material(i)); // a node's is not asked
+        const bool knows_material = points.material.extent(0) > 0; // a node's is asked for tables only
+        const Material& mat = materials(knows_material ? points.material(i) : 0);
         Real to_work = law.heat_to_workpiece * response.dissipated;
         if (conducts) {
           // A point that has just parted leaves the work of its spring where it touched last, in no time.
@@ -88,7 +92,7 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
         if (is_node)
           points.heat(i) += to_work;
         else
-          points.temperature(i) += to_work / heat_capacity(mat, points.mass(i));
+          points.temperature(i) = warmed_by(mat, points.mass(i), points.temperature(i), to_work);
       });
 }
 

@@ -77,8 +77,8 @@ void check_inertia(const Deck& deck, Findings& found) {
   if (speed == 0) return;
   for (const MaterialDeck& m : deck.materials) {
     if (m.law == "rigid") continue;
-    const double K = m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio),
-                 G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+    const double E = m.youngs_modulus.greatest();
+    const double K = E / 3 / (1 - 2 * m.poissons_ratio), G = E / 2 / (1 + m.poissons_ratio);
     const double c = std::sqrt((K + 4 * G / 3) / m.density / deck.run.mass_factor);
     found.line("mass-scaled wave speed / tool speed", "{:.0f} ({})", c / speed, m.name);
     if (c < 50 * speed * round_off)
@@ -148,7 +148,7 @@ void check_steps(const Deck& deck, double steps, double seconds, Findings& found
     found.warn(
         fmt::format("only {:.0f} step(s) to the end: look at run.end_time, run.mass_factor, and at "
                     "material.{}.youngs_modulus = {:.3g} Pa and density = {:.3g} kg/m3, which give the step",
-                    steps, m.name, m.youngs_modulus, m.density));
+                    steps, m.name, m.youngs_modulus.greatest(), m.density));
   }
   if (seconds > 3.2e7)
     found.warn(fmt::format(

@@ -1,6 +1,8 @@
 #include "src/app/summary.hpp"
 #include "src/files/say.hpp"
 #include "src/scene/hex_conversion.hpp"
+#include "src/scene/parts.hpp"
+#include "swarf/material/thermal.hpp"
 #include "swarf/region/retire.hpp"
 #include <algorithm>
 #include <cmath>
@@ -119,6 +121,8 @@ Json retired_of(const Deck& deck, const Particles& p) {
   const auto material = host_copy(p.points.material), body = host_copy(p.body);
   const auto bits = host_copy(p.constraints);
   const auto velocity = host_copy(p.velocity);
+  std::vector<Material> materials;
+  for (const MaterialDeck& m : deck.materials) materials.push_back(make_material(m));
   double weight = 0, kinetic = 0, elastic = 0, dissipated = 0, heat = 0;
   Triple momentum{0, 0, 0};
   for (int i = 0; i < p.stored; ++i) {
@@ -129,8 +133,8 @@ Json retired_of(const Deck& deck, const Particles& p) {
       kinetic += 0.5 * inertia * double(velocity(i, c)) * double(velocity(i, c));
     }
     weight += m, elastic += double(internal(i)) - double(plastic(i)), dissipated += double(plastic(i));
-    heat += m * deck.materials[std::size_t(material(i))].specific_heat *
-            (double(temperature(i)) - deck.bodies[std::size_t(body(i))].temperature);
+    heat += double(heat_between(materials[std::size_t(material(i))], mass(i),
+                                Real(deck.bodies[std::size_t(body(i))].temperature), temperature(i)));
   }
   const RetiredCount count = count_retired(p);
   Json book;

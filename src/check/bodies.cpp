@@ -156,7 +156,7 @@ class BodyCheck {
 
   static bool is_held(const BodyDeck& body) {
     return std::any_of(body.faces.begin(), body.faces.end(),
-                       [](const FaceDeck& face) { return face.kind != "periodic"; });
+                       [](const FaceDeck& face) { return face.kind != "periodic" && face.kind != "free"; });
   }
 
   // The surface of a body of particles is half a cell beyond their centres: half of the least edge.
@@ -174,7 +174,8 @@ class BodyCheck {
                         body.name, body.line, *most / *least));
       for (const FaceDeck& face : body.faces) {
         const std::size_t axis = std::size_t(face.face[0] - 'x');
-        if (face.kind != "periodic" && face.kind != "symmetric" && axis < 3 && cells[axis] <= 2)
+        const bool held = face.kind == "fixed" || face.kind == "velocity";
+        if (held && axis < 3 && cells[axis] <= 2)
           warnings.push_back(
               fmt::format("body \"{}\" of line {} has {} layer(s) of particles across its held face "
                           "{}: take three or more, or it is too stiff",

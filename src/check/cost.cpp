@@ -12,7 +12,7 @@ constexpr double most_heat_steps = 1e3; // in a step: all time would go there
 
 const MaterialDeck& fastest_conductor(const Deck& deck) {
   const auto diffusivity = [](const MaterialDeck& m) { // the tool takes steps of its own
-    return m.law == "rigid" ? 0 : m.conductivity / m.density / m.specific_heat;
+    return m.law == "rigid" ? 0 : m.conductivity.greatest() / m.density / m.specific_heat.least();
   };
   return *std::max_element(
       deck.materials.begin(), deck.materials.end(),
@@ -45,8 +45,8 @@ void refuse_endless(const Deck& deck, const Simulation& simulation) {
         "{}: material.{}.conductivity: {:.4g} W/m/K needs {:.3g} steps of conduction, of {:.3g} s, in each "
         "step "
         "of {:.3g} s: expected at most {:.0f}. Look at the unit, or take a smaller run.mass_factor.",
-        line_of(deck.file, "[material." + m.name + "]", "conductivity"), m.name, m.conductivity, heat,
-        simulation.heat_dt(), simulation.dt(), most_heat_steps));
+        line_of(deck.file, "[material." + m.name + "]", "conductivity"), m.name, m.conductivity.greatest(),
+        heat, simulation.heat_dt(), simulation.dt(), most_heat_steps));
   }
 }
 

@@ -93,8 +93,16 @@ void DeckReader::read_faces(const toml::table& body, std::vector<FaceDeck>& face
     face.face = name.str();
     const std::string path = "body.faces." + face.face;
     if (const toml::table* table = value.as_table()) {
-      face.kind = "velocity";
       read_keys(*table, path, face_keys(), face, report);
+      const bool moves = table->contains("velocity");
+      face.kind = moves ? "velocity" : face.fixed ? "fixed" : "free";
+      if (moves && face.fixed)
+        report.add(*table, path, "is fixed and has a velocity: expected one of the two. Leave one out");
+      if (face.film && !face.temperature)
+        report.add(*table, path, "has a film, but not the temperature of its surroundings. Give temperature");
+      if (!moves && !face.fixed && !face.temperature)
+        report.add(*table, path, "holds nothing. Give velocity, fixed = true or temperature");
+      face.fixed = false; // kind has it
     } else if (value.is_string() &&
                std::find(kinds.begin(), kinds.end(), **value.as_string()) != kinds.end()) {
       face.kind = **value.as_string();
@@ -102,7 +110,8 @@ void DeckReader::read_faces(const toml::table& body, std::vector<FaceDeck>& face
       const std::string hint = value.is_string() ? suggest(**value.as_string(), kinds) : "";
       report.add(
           value, path,
-          R"(expected "fixed", "symmetric", "periodic" or { velocity = ["0 m/s", "0 m/s", "1 m/s"] }.)" +
+          R"(expected "fixed", "symmetric", "periodic", { velocity = ["0 m/s", "0 m/s", "1 m/s"] } or )"
+          R"({ temperature = "300 K" }.)" +
               hint);
     }
     found.emplace_back(name.source().begin, face);
@@ -228,8 +237,35 @@ std::string read_text(const std::string& file) {
 
 bool conducts_heat(const Deck& deck) {
   return std::any_of(deck.materials.begin(), deck.materials.end(),
-                     [](const MaterialDeck& m) { return m.conductivity > 0 && m.law != "rigid"; });
+                     [](const MaterialDeck& m) { return m.conductivity.greatest() > 0 && m.law != "rigid"; });
 }
+
+bool heats_faces(const Deck& deck) {
+  return std::any_of(deck.bodies.begin(), deck.bodies.end(), [](const BodyDeck& body) {
+    return std::any_of(body.faces.begin(), body.faces.end(),
+                       [](const FaceDeck& face) { return face.temperature.has_value(); });
+  });
+}
+
+bool stress_knows_heat(const Deck& deck) {
+  return std::any_of(deck.materials.begin(), deck.materials.end(), [](const MaterialDeck& m) {
+    return m.law != "rigid" && (m.thermal_expansion > 0 || !m.youngs_modulus.points.empty());
+  });
+}
+
+namespace {
+
+double extreme(const OverTemperature& table, bool greatest) {
+  double found = table.points.empty() ? table.value : table.points.front()[1];
+  for (const auto& [T, value] : table.points)
+    found = greatest ? std::max(found, value) : std::min(found, value);
+  return found;
+}
+
+} // namespace
+
+double OverTemperature::least() const { return extreme(*this, false); }
+double OverTemperature::greatest() const { return extreme(*this, true); }
 
 const MaterialDeck* find_material(const Deck& deck, const std::string& name) {
   const auto at = std::find_if(deck.materials.begin(), deck.materials.end(),

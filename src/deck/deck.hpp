@@ -15,12 +15,23 @@ struct DeckError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A constant, or a table over temperature: straight lines between its points, constant outside.
+struct OverTemperature {
+  OverTemperature(double constant = 0) : value(constant) {}
+  double value;                                // where there are no points
+  std::vector<std::array<double, 2>> points{}; // K and the value there, by rising temperature
+  double least() const;
+  double greatest() const;
+  bool operator==(const OverTemperature&) const = default;
+};
+
 struct MaterialDeck {
   std::string name;
   std::string
       law; // elastic | linear_hardening | johnson_cook | johnson_cook_tanh | zerilli_armstrong | rigid
-  double density, youngs_modulus, poissons_ratio;
-  double specific_heat, conductivity, taylor_quinney;
+  double density, poissons_ratio;
+  OverTemperature youngs_modulus, specific_heat, conductivity;
+  double thermal_expansion, taylor_quinney;
   double yield_stress, hardening_modulus;                                        // linear_hardening
   double A, B, n, C, m, reference_rate, reference_temperature, melt_temperature; // johnson_cook
   double softening_a, softening_b, softening_c, softening_d;                     // johnson_cook_tanh
@@ -31,8 +42,11 @@ struct MaterialDeck {
 
 struct FaceDeck {
   std::string face; // x_min .. z_max | bottom top side | inner outer bottom top start end
-  std::string kind; // fixed | symmetric | periodic | velocity
+  std::string kind; // free | fixed | symmetric | periodic | velocity
   Triple velocity{};
+  bool fixed = false;                     // as the deck's table says it; kind has it, too
+  std::optional<double> temperature = {}; // of the surface, or of what is around it
+  std::optional<double> film = {};        // W/(m2 K), in between
   bool operator==(const FaceDeck&) const = default;
 };
 
@@ -201,6 +215,8 @@ struct Deck {
 Deck read_deck(const std::string& file, const std::string& stl = "");
 
 bool conducts_heat(const Deck& deck);
+bool heats_faces(const Deck& deck);       // a face has a film or a held temperature
+bool stress_knows_heat(const Deck& deck); // thermal expansion, or a modulus that depends on temperature
 const MaterialDeck* find_material(const Deck& deck, const std::string& name); // null: there is none
 
 // When the run ends, s.

@@ -39,7 +39,11 @@ const Keys<MaterialDeck>& material_keys() {
        required, always,
        "flow law; all are isotropic, with the Jaumann rate; rigid: of a tool, which only conducts"},
       {"density", &M::density, D::density, positive, required, always, "mass per volume, unloaded"},
-      {"youngs_modulus", &M::youngs_modulus, D::pressure, positive, required, deforms, "E"},
+      {"youngs_modulus", &M::youngs_modulus, D::pressure, positive, required, deforms,
+       "E; this, specific_heat and conductivity may be tables over temperature, such as [[\"300 K\", \"110 "
+       "GPa\"], [\"900 K\", \"80 GPa\"]]: straight lines between the points, constant outside. The stable "
+       "step "
+       "is that of the stiffest, the best conductor and the least heat capacity in them"},
       {"poissons_ratio", &M::poissons_ratio, D::none, Range{-1, 0.5, true, true}, required, deforms, "nu"},
       {"specific_heat", &M::specific_heat, D::specific_heat, positive, required,
        law({"johnson_cook", "johnson_cook_tanh", "zerilli_armstrong", "rigid"}), "heat per mass and kelvin"},
@@ -48,6 +52,8 @@ const Keys<MaterialDeck>& material_keys() {
       {"conductivity", &M::conductivity, D::conductivity, not_negative, R"("0 W/m/K")", deforms,
        "of heat; 0: adiabatic"},
       {"conductivity", &M::conductivity, D::conductivity, positive, required, law({"rigid"}), "of heat"},
+      {"thermal_expansion", &M::thermal_expansion, D::per_kelvin, Range{0, 0.01}, R"("0 1/K")", deforms,
+       "of a length, per length as it is; 0: heat makes no stress"},
       {"taylor_quinney", &M::taylor_quinney, D::none, share, "0.9",
        law({"linear_hardening", "johnson_cook", "johnson_cook_tanh", "zerilli_armstrong"}),
        "share of the plastic work that becomes heat"},
@@ -135,7 +141,8 @@ const Keys<BodyDeck>& body_keys() {
       {"convert_particles", &B::convert_particles, D::none, Range{1, 4}, "2", lattice_of_hexes,
        "particles along each edge of a hex that becomes particles"},
       {"faces", custom, D::none, any, optional, always,
-       "table [body.faces]: FACE = \"fixed\" | \"symmetric\" | \"periodic\" | { velocity = [...] }. "
+       "table [body.faces]: FACE = \"fixed\" | \"symmetric\" | \"periodic\" | { velocity = [...] }, and in "
+       "the braces, if heat goes through the face, temperature and film. "
        "Faces of a block: x_min x_max y_min y_max z_min z_max; of a cylinder: bottom top side; of a ring: "
        "inner "
        "outer bottom top start end; of a sphere: inner outer. Faces not named are free; periodic ones come "
@@ -147,7 +154,13 @@ const Keys<BodyDeck>& body_keys() {
 
 const Keys<FaceDeck>& face_keys() {
   static const Keys<FaceDeck> keys = {
-      {"velocity", &FaceDeck::velocity, D::velocity, any, required, always, "prescribed for the whole face"},
+      {"velocity", &FaceDeck::velocity, D::velocity, any, zero_velocity, always,
+       "prescribed for the whole face; not given: the face is free, or fixed"},
+      {"fixed", &FaceDeck::fixed, D::none, any, "false", always, "the face does not move"},
+      {"temperature", &FaceDeck::temperature, D::temperature, positive, optional, always,
+       "of the surface, which is held at it; with a film, of what is around it; not given: no heat crosses"},
+      {"film", &FaceDeck::film, D::conductance, positive, optional, always,
+       "film coefficient of the convection to surroundings of that temperature; not given: perfect"},
   };
   return keys;
 }

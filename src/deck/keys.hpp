@@ -30,10 +30,11 @@ struct Condition {
 template <class Section>
 struct Key {
   // monostate: a table or a list that deck.cpp reads by code of its own.
-  using Field = std::variant<std::monostate, std::string Section::*, bool Section::*, int Section::*,
-                             double Section::*, std::optional<double> Section::*, Triple Section::*,
-                             std::vector<double> Section::*, std::optional<std::array<int, 3>> Section::*,
-                             std::optional<std::array<double, 5>> Section::*>;
+  using Field =
+      std::variant<std::monostate, std::string Section::*, bool Section::*, int Section::*, double Section::*,
+                   OverTemperature Section::*, std::optional<double> Section::*, Triple Section::*,
+                   std::vector<double> Section::*, std::optional<std::array<int, 3>> Section::*,
+                   std::optional<std::array<double, 5>> Section::*>;
   std::string name;
   Field field;
   Dimension dimension;

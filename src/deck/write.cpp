@@ -33,9 +33,17 @@ std::string write_body(const BodyDeck& body) {
   std::string text = "\n[[body]]\n" + write_keys(body_keys(), body);
   if (!body.faces.empty()) text += "[body.faces]\n";
   for (const FaceDeck& face : body.faces) {
-    const std::string velocity = write_value(face.velocity, {"velocity", Dimension::velocity, Range{}});
-    text += face.kind == "velocity" ? fmt::format("{} = {{ velocity = {} }}\n", face.face, velocity)
-                                    : fmt::format("{} = \"{}\"\n", face.face, face.kind);
+    std::vector<std::string> entries;
+    if (face.kind == "velocity")
+      entries.push_back("velocity = " + write_value(face.velocity, {"", Dimension::velocity, Range{}}));
+    if (face.kind == "fixed" && face.temperature) entries.push_back("fixed = true");
+    if (face.temperature)
+      entries.push_back("temperature = " +
+                        write_value(*face.temperature, {"", Dimension::temperature, Range{}}));
+    if (face.film)
+      entries.push_back("film = " + write_value(*face.film, {"", Dimension::conductance, Range{}}));
+    text += entries.empty() ? fmt::format("{} = \"{}\"\n", face.face, face.kind)
+                            : fmt::format("{} = {{ {} }}\n", face.face, fmt::join(entries, ", "));
   }
   return text;
 }
@@ -66,6 +74,7 @@ std::string describe_values(const Key<Section>& key) {
   if (std::holds_alternative<std::optional<std::array<double, 5>> Section::*>(key.field))
     what = "five numbers";
   if (std::holds_alternative<std::vector<double> Section::*>(key.field)) what = "list, each " + what;
+  if (std::holds_alternative<OverTemperature Section::*>(key.field)) what += " or a table";
   if (range && std::holds_alternative<Triple Section::*>(key.field)) what = "three, each " + what;
   const std::string bounds = range ? describe_bounds(*range, key.dimension) : "";
   return bounds.empty() ? what : what + ", " + bounds;
@@ -133,8 +142,7 @@ std::string key_reference() {
   text += write_reference("Top of the file", "Before the first section.", top_keys());
   text += write_reference("[material.NAME]", "One section per material.", material_keys());
   text += write_reference("[[body]]", "One section per body, in double brackets; at least one.", body_keys());
-  text += write_reference("[body.faces]",
-                          "Follows its [[body]]. A face with a prescribed velocity holds:", face_keys());
+  text += write_reference("[body.faces]", "Follows its [[body]]. A face in braces holds:", face_keys());
   text += write_reference("[tool]", "The rigid tool, if there is one.", tool_keys());
   text += write_reference("[contact]", "Between the tool and the bodies; goes with [tool].", contact_keys());
   text += write_reference("[particles]", "Method of the particles.", particles_keys());

@@ -13,12 +13,34 @@
 
 namespace swarf {
 
+namespace {
+
+TemperatureTable make_table(const OverTemperature& deck, double unit) {
+  TemperatureTable t;
+  t.points = int(deck.points.size());
+  for (int k = 0; k < t.points; ++k) {
+    const auto& [T, value] = deck.points[std::size_t(k)];
+    t.temperature[k] = Real(T), t.value[k] = Real(value / unit);
+    if (k > 0)
+      t.integral_to[k] = t.integral_to[k - 1] + Real(0.5) * (t.value[k - 1] + t.value[k]) *
+                                                    (t.temperature[k] - t.temperature[k - 1]);
+  }
+  return t;
+}
+
+} // namespace
+
 Material make_material(const MaterialDeck& deck) {
   Material m;
   m.density = Real(deck.density);
-  m.bulk_modulus = Real(deck.youngs_modulus / (3 * (1 - 2 * deck.poissons_ratio)));
-  m.shear_modulus = Real(deck.youngs_modulus / (2 * (1 + deck.poissons_ratio)));
-  m.specific_heat = Real(deck.specific_heat), m.conductivity = Real(deck.conductivity);
+  const double stiffest = deck.youngs_modulus.greatest();
+  m.bulk_modulus = Real(stiffest / (3 * (1 - 2 * deck.poissons_ratio)));
+  m.shear_modulus = Real(stiffest / (2 * (1 + deck.poissons_ratio)));
+  m.specific_heat = Real(deck.specific_heat.least()), m.conductivity = Real(deck.conductivity.greatest());
+  m.stiffness_table = make_table(deck.youngs_modulus, stiffest);
+  m.specific_heat_table = make_table(deck.specific_heat, 1);
+  m.conductivity_table = make_table(deck.conductivity, 1);
+  m.thermal_expansion = Real(deck.thermal_expansion);
   m.taylor_quinney = Real(deck.taylor_quinney);
   static const std::map<std::string, FlowLaw> laws = {{"linear_hardening", FlowLaw::linear_hardening},
                                                       {"johnson_cook", FlowLaw::johnson_cook},
@@ -80,6 +102,15 @@ std::vector<FilledBody> fill_bodies(const Deck& deck) {
     bodies.push_back(std::move(filled));
   }
   return bodies;
+}
+
+// Failed points compare their density with that at the start; bodies of one material start alike (deck).
+MaterialTable make_materials(const Deck& deck, const std::vector<FilledBody>& bodies) {
+  return upload<MaterialTable>("materials", int(deck.materials.size()), [&](auto& f, int row) {
+    f(row) = make_material(deck.materials[std::size_t(row)]);
+    for (const FilledBody& b : bodies)
+      if (b.material == row) f(row).start_temperature = Real(b.deck->temperature);
+  });
 }
 
 // Particles have the identity of their row.
@@ -208,8 +239,7 @@ Scene build_scene(const Deck& deck) {
   check_sleep(deck, scene);
   const Faces faces = collect_faces(deck, bodies, scene.cutoff);
   const std::vector<TiedPoint> tied = tie_bodies(deck, bodies, scene.cutoff);
-  scene.materials = upload<MaterialTable>("materials", int(deck.materials.size()),
-                                          [&](auto& f, int m) { f(m) = make_material(deck.materials[m]); });
+  scene.materials = make_materials(deck, bodies);
   scene.particles = make_particles(deck, bodies, tied, faces);
   scene.hexes = make_hex_mesh(deck, bodies, faces);
   std::vector<int> hex_body;
@@ -226,6 +256,9 @@ Scene build_scene(const Deck& deck) {
   scene.constraints = upload<ConstraintTable>("constraints", int(faces.constraints.size()),
                                               [&](auto& f, int c) { f(c) = faces.constraints[c]; });
   scene.held_rows = make_held_rows(faces);
+  scene.heated_faces = upload<HeatedFaces>("heated_faces", int(faces.heated.size()),
+                                           [&](auto& f, int k) { f(k) = faces.heated[std::size_t(k)]; });
+  scene.heated_nodes = make_heated_nodes(bodies, faces);
   if (deck.tool) {
     add_tool(deck, bodies, scene);
     check_tool_outside(deck, scene);

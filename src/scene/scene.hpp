@@ -5,6 +5,7 @@
 #include "swarf/core/transform.hpp"
 #include "swarf/hexes/hex_mesh.hpp"
 #include "swarf/hexes/tie.hpp"
+#include "swarf/material/face_heat.hpp"
 #include "swarf/particles/held_rows.hpp"
 #include "swarf/particles/particles.hpp"
 #include "swarf/tool/tool.hpp"
@@ -26,6 +27,8 @@ struct Scene {
   TransformTable node_transforms;       // of hexes.coupled_nodes
   ConstraintTable constraints;
   HeldRows held_rows;
+  HeatedFaces heated_faces;
+  HeatedNodes heated_nodes;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
   int collapsed_facets = 0;                       // of the tool's file, left out
   Tool tool;

@@ -6,6 +6,7 @@
 #include "swarf/region/sleep.hpp"
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace swarf {
@@ -73,6 +74,13 @@ void check_indices(const CheckpointReader& in, const Scene& scene, const Deck& d
   in.require(all_within(m.tool_cell, int(m.tool_cell.extent(0)), 0, cells - 1), "hexes/tool_cell");
   in.require(all_within(m.active, m.points.count, 0, 2), "hexes/active");
   in.require(bits_are_known(p.constraints, p.stored), "particles/constraints");
+  if (p.heated_faces.extent(0) > 0) {
+    const auto bits = host_copy(p.heated_faces);
+    const std::size_t faces = scene.heated_faces.extent(0); // 32 at most
+    bool known = true;
+    for (int i = 0; i < p.stored; ++i) known = known && (std::uint64_t(bits(i)) >> faces) == 0;
+    in.require(known, "particles/heated_faces");
+  }
   in.require(bits_are_known(m.constraints, m.nodes), "hexes/constraints");
 }
 

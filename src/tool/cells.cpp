@@ -119,13 +119,13 @@ ToolHeat build_tool_heat(const Tool& tool, const FacetSurface& surface, const To
   std::vector<double> capacity(cells.size(), 0);
   for (std::size_t k = 0; k < host.size(); ++k)
     if (cell[k] >= 0)
-      capacity[std::size_t(cell[k])] += material.density * material.specific_heat * octree.leaves[k].share *
-                                        octree.extent(octree.leaves[k].size).prod();
+      capacity[std::size_t(cell[k])] += material.density * material.specific_heat.value *
+                                        octree.leaves[k].share * octree.extent(octree.leaves[k].size).prod();
 
   ToolHeat heat;
   heat.cells = int(cells.size());
-  heat.conductivity = Real(material.conductivity), heat.start_temperature = Real(deck.temperature);
-  upload_links(heat, link_cells(octree, faces, cell, material.conductivity));
+  heat.conductivity = Real(material.conductivity.value), heat.start_temperature = Real(deck.temperature);
+  upload_links(heat, link_cells(octree, faces, cell, material.conductivity.value));
   heat.capacity = upload<ScalarField>("tool_capacity", heat.cells, [&](auto& f, int c) {
     const bool held =
         plan.held_beyond && plan.distance_to_work(cells[std::size_t(c)]->centre) > *plan.held_beyond;

@@ -64,7 +64,8 @@ std::optional<std::array<double, 2>> find_slice(const Deck& deck) {
 HeatPlan plan_tool_heat(const Deck& deck, const std::vector<Shape>& shapes, double finest) {
   HeatPlan plan;
   plan.material = *find_material(deck, deck.tool->material);
-  const double diffusivity = plan.material.conductivity / plan.material.density / plan.material.specific_heat;
+  const double diffusivity =
+      plan.material.conductivity.value / plan.material.density / plan.material.specific_heat.value;
   plan.finest = finest;
   plan.reach = std::max(8 * finest, 4 * std::sqrt(diffusivity * end_time_of(deck)));
   plan.held_beyond = deck.tool->held_beyond;

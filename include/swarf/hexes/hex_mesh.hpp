@@ -22,10 +22,12 @@ struct HexMesh {
 
   VectorField position, velocity, force;     // nodes
   ScalarField mass;                          // lumped, kg, not mass-scaled
-  ScalarField heat_capacity;                 // lumped, J/K
+  ScalarField heat_capacity;                 // lumped, J/K; of a table of specific heat, where that is least
+  IndexField node_material;                  // row of the MaterialTable; 0 rows without such tables
   ScalarField nodal_temperature;             // K; 0 rows without conduction
   ScalarField nodal_heat;                    // J, of the last conduction, or of the contact
   ScalarField contact_heat;                  // J, that the contact has brought and no temperature shows yet
+  ScalarField face_heat;                     // J, that has come through heated faces; 0 rows without any
   View<Real* [8]> corner_heat;               // J, before the gather
   VectorField friction_force, contact_force; // nodes on the surface that may touch the tool
   ScalarField friction_work, external_work, contact_energy;
@@ -64,6 +66,8 @@ struct HexMesh {
     visit("force", m.force, Facts<per_node, vector, history>());
     visit("nodal_mass", m.mass, Facts<per_node>());
     visit("heat_capacity", m.heat_capacity, Facts<per_node>());
+    visit("node_material", m.node_material, Facts<per_node, with_heat_tables>());
+    visit("face_heat", m.face_heat, Facts<per_node, history, with_face_heat>());
     visit("nodal_temperature", m.nodal_temperature, Facts<per_node, history, with_conduction>());
     visit("nodal_heat", m.nodal_heat, Facts<per_node>());
     visit("contact_heat", m.contact_heat, Facts<per_node, history>());

@@ -59,6 +59,8 @@ struct Particles {
   ScalarField contact_area;        // m2, the face of the particle's initial cube
   ScalarField heat_to_tool;        // J, not yet in the tool's cells; 0 rows without cells
   IndexField tool_cell;            // of the tool, that it touched last; 0 rows without cells
+  View<unsigned*> heated_faces;    // bit b: row b of the HeatedFaces; 0 rows without any
+  ScalarField face_heat;           // J, that has come through them; 0 rows without any
   IndexField identity;             // number given when the scene was built
   IndexField body;                 // row of the scene's bodies
   View<unsigned*> constraints;     // bit b: row b of the ConstraintTable
@@ -108,6 +110,8 @@ struct Particles {
     visit("contact_area", p.contact_area, Facts<history>());
     visit("heat_to_tool", p.heat_to_tool, Facts<history, with_tool_heat>());
     visit("tool_cell", p.tool_cell, Facts<history, with_tool_heat>());
+    visit("heated_faces", p.heated_faces, Facts<history, with_face_heat>());
+    visit("face_heat", p.face_heat, Facts<history, with_face_heat>());
     visit("identity", p.identity, Facts<history>());
     visit("body", p.body, Facts<history>());
     visit("constraints", p.constraints, Facts<history>());
