@@ -107,6 +107,10 @@ void spread_contact_heat(const Tie&, const Particles&, const HexMesh&, const Tra
 void gather_tool_heat(const ContactPoints&, const ToolHeat&); // what points have brought, to the tool's cells
 void conduct_tool(const ToolHeat&, Real dt);
 
+// --- the tool's surface
+void gather_tool_surface(const ContactPoints&, const ToolSurface&); // what points have done to its patches
+View<Real* [shown_on_tool]> show_tool_surface(const Tool&, Real duration); // of what was gathered in it, s
+
 // --- the tool, before the run
 View<Real* [4]> distance_to_tool(const Tool&,
                                  const VectorField& x); // signed, and outward normal, of points x

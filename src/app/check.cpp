@@ -172,6 +172,7 @@ int check_deck(const std::string& file) {
   if (is_large(deck, found)) return found.warnings;
   Simulation simulation(deck);
   const Scene& scene = simulation.scene();
+  simulation.take_tool_temperature();
   simulation.start();
   refuse_endless(deck, simulation);
   const double start_up = seconds();

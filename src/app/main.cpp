@@ -1,4 +1,4 @@
-// The program: swarf run | check | keys | plot | render.
+// The program: swarf run | check | keys | plot | render | surface.
 #include "src/app/check.hpp"
 #include "src/app/child_process.hpp"
 #include "src/app/run.hpp"
@@ -10,6 +10,7 @@
 #include "src/pictures/pictures.hpp"
 #include "src/pictures/render.hpp"
 #include "src/simulation/simulation.hpp"
+#include "src/surface/surface.hpp"
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <fcntl.h>
@@ -122,13 +123,29 @@ int main(int argc, char** argv) {
   plot->add_option("results", folder, "results folder")->required();
   CLI::App* render = app.add_subcommand("render", "draw the chip pictures of a results folder again");
   render->add_option("results", folder, "results folder")->required();
+  bool of_tool = false;
+  std::string field;
+  CLI::Option* tool_flag = render->add_flag("--tool", of_tool, "the tool's rake and flank instead");
+  render
+      ->add_option(
+          "--field", field,
+          "that colours them: temperature, contact_pressure, sliding_speed, friction_power, wear_depth")
+      ->needs(tool_flag);
+
+  CLI::App* surface = app.add_subcommand("surface", "what the cut has left on the work: tables and plots");
+  double skip = 20;
+  surface->add_option("results", folder, "results folder")->required();
+  surface->add_option("--skip", skip, "of the length that was cut, left out at each end, % (20)")
+      ->check(CLI::Range(0.0, 49.0));
 
   CLI11_PARSE(app, argc, argv);
   try {
     if (*keys) return fmt::print("{}", swarf::key_reference()), 0;
-    if (*plot || *render) {
+    if (*plot || *render || *surface) {
       const swarf::FolderLock lock(existing(folder));
+      if (*surface) return swarf::describe_surface(folder, skip / 100), 0;
       if (*plot) return swarf::draw_plots(folder), 0;
+      if (of_tool) return swarf::render_tool(folder, field), 0;
       return swarf::render_strip(folder) ? 0 : 1;
     }
     if (*run) swarf::survive_failed_writes();

@@ -106,6 +106,7 @@ void Recorder::write_frame() {
   FrameData frame = copy_frame(simulation.scene().particles, simulation.scene().hexes,
                                simulation.scene().tool, simulation.pose());
   if (!deck.retire.distance) frame.particles.retired.clear();
+  frame.tool_fields = simulation.take_tool_fields();
   frame.time = simulation.time();
   if (deck.tool && deck.tool->spindle_speed > 0) frame.immersion = simulation.immersion_deg();
   frames->write(frame);

@@ -33,6 +33,7 @@ void go(Simulation& simulation, Recorder& recorder, const RunOptions& options, P
   }
   if (simulation.time() >= end) {
     recorder.write_frame();
+    recorder.write_tool_heat();
   } else if (signals.received() != 0) {
     ending = {130, "interrupted", signal_name(signals.received())};
     recorder.write_checkpoint();
@@ -100,6 +101,7 @@ int run_deck(const Deck& deck, const RunOptions& options) {
   std::unique_ptr<FolderLock> lock = look_at_folder(where, deck, options);
   const double end = end_time_of(deck);
   Simulation simulation(deck);
+  if (!options.resume) simulation.take_tool_temperature(); // what it refuses leaves no folder behind
   if (!lock) lock = std::make_unique<FolderLock>(where);
   if (simulation.scene().collapsed_facets > 0)
     say("facets of the tool: {}\n", describe_facets(simulation.scene()));

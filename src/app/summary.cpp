@@ -1,6 +1,7 @@
 #include "src/app/summary.hpp"
 #include "src/files/say.hpp"
 #include "src/scene/hex_conversion.hpp"
+#include "swarf/kernels.hpp"
 #include "swarf/region/retire.hpp"
 #include <algorithm>
 #include <cmath>
@@ -140,6 +141,21 @@ Json retired_of(const Deck& deck, const Particles& p) {
   return book.set("plastic_work", dissipated).set("heat", heat);
 }
 
+// Most worn patch of the tool: depth, m, and where in its frame.
+Json wear_of(const Tool& tool) {
+  const auto shown = host_copy(show_tool_surface(tool, 0));
+  const auto corner = host_copy(tool.surface.corner);
+  int worst = 0;
+  for (int p = 1; p < tool.surface.patches; ++p)
+    if (shown(p, shown_wear) > shown(worst, shown_wear)) worst = p;
+  Json wear;
+  wear.set("largest_depth", double(shown(worst, shown_wear)));
+  for (int d = 0; d < 3; ++d)
+    wear.set(fmt::format("at_{}", "xyz"[d]),
+             double(corner(worst, 0, d) + corner(worst, 1, d) + corner(worst, 2, d)) / 3);
+  return wear;
+}
+
 } // namespace
 
 void write_summary(const RunFacts& run, double seconds) {
@@ -171,6 +187,7 @@ void write_summary(const RunFacts& run, double seconds) {
   summary.set("largest_plastic_strain", largest(raw.at("max_plastic_strain")));
   if (deck.retire.distance) summary.set("retired", retired_of(deck, scene.particles));
   if (deck.tool) summary.set("contact", watch.touched());
+  if (deck.tool && deck.tool->wear_A) summary.set("wear", wear_of(scene.tool));
   summary.set("forces", forces_of(folder)).set("energies", energies_of(folder));
   summary.set("shapes", shapes_of(deck, scene)).set("cost", cost);
   write_file(folder.summary(), summary.text() + "\n");

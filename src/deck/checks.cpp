@@ -247,8 +247,18 @@ void check_tool(ToolDeck& tool, const toml::table& table, const StlPlace& place,
   if (tool.kind == "wedge" && tool.velocity == Triple{})
     report.add(find_place(table, "velocity"), "tool.velocity",
                "a wedge must move. Give one component a speed");
-  if (tool.kind != "stl") return;
+  if (tool.lift_time && tool.lift_velocity == Triple{})
+    report.add(find_place(table, "lift_time"), "tool.lift_time",
+               "the tool would stop in the cut. Give lift_velocity, away from the work");
+  if (!tool.lift_time && tool.lift_velocity != Triple{})
+    report.add(find_place(table, "lift_velocity"), "tool.lift_velocity",
+               "nothing says when the tool lifts off. Give lift_time, or leave it out");
   namespace fs = std::filesystem;
+  if (!tool.temperature_from.empty()) { // results/NAME is where swarf runs, wherever the deck is
+    std::error_code ignored;
+    tool.temperature_from = fs::absolute(tool.temperature_from, ignored).lexically_normal().string();
+  }
+  if (tool.kind != "stl") return;
   std::error_code error;
   fs::path path = fs::absolute(fs::path(place.deck).parent_path() / tool.file, error).lexically_normal();
   if (!fs::is_regular_file(path, error) && fs::is_regular_file(place.instead, error))

@@ -81,6 +81,14 @@ struct ToolDeck {
   std::string material;              // a rigid one; empty: the tool does not conduct
   double temperature = 0;            // at the start
   std::optional<double> held_beyond; // m from where the work touches: held at it; not given: insulated
+  std::string temperature_from;      // results folder whose tool's temperature it starts with; absolute here
+  double idle_time = 0;              // s between that run and this one, in which the tool only conducts
+  std::optional<double> heat_time;   // s that heat has to spread in all; not given: that of the run
+  // wear
+  std::optional<double> wear_A, wear_B; // 1/Pa, K; not given: none
+  // after the cut
+  std::optional<double> lift_time; // s; from then on it moves at:
+  Triple lift_velocity{};
   bool operator==(const ToolDeck&) const = default;
 };
 

@@ -210,6 +210,27 @@ const Keys<ToolDeck>& tool_keys() {
       {"held_beyond", &T::held_beyond, D::length, positive, optional, always,
        "a tool with a material stays at that temperature farther than this from where the bodies come; not "
        "given: its far faces are insulated"},
+      {"temperature_from", &T::temperature_from, D::none, Text{}, optional, always,
+       "folder of the results of a run with the same tool, such as results/NAME: a tool with a material "
+       "starts "
+       "with the temperatures that it had at the end of that run; not given: with `temperature`"},
+      {"idle_time", &T::idle_time, D::time, not_negative, R"("0 s")", always,
+       "between that run and this one, in which the tool only conducts: of a mill what is left of a turn"},
+      {"heat_time", &T::heat_time, D::time, positive, optional, always,
+       "that heat has to spread in a tool with a material, over all runs whose temperatures are handed on, "
+       "with "
+       "the idle times: how far from the work the tool has cells; not given: that of the run"},
+      {"wear_A", &T::wear_A, D::per_pressure, positive, optional, always,
+       "depth of wear per time A p v exp(-B / T) of a tool with a material, p the pressure, v the sliding "
+       "speed, T "
+       "the temperature of its surface (Usui et al. 1984); the shape of the tool stays; not given: no wear"},
+      {"wear_B", &T::wear_B, D::temperature, not_negative, optional, always,
+       "of the same; 0 K: wear does not depend on the temperature"},
+      {"lift_time", &T::lift_time, D::time, positive, optional, always,
+       "when the tool lifts off, so that the work unloads: from then on lift_velocity takes the place of "
+       "velocity "
+       "and feed, and the spindle goes on"},
+      {"lift_velocity", &T::lift_velocity, D::velocity, any, zero_velocity, always, "from lift_time on"},
   };
   return keys;
 }

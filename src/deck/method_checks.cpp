@@ -116,11 +116,23 @@ void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& repo
     if (deck.contact.conductance)
       report.add(find_place(contact, "conductance"), "contact.conductance",
                  "the tool has no material to conduct into. Give tool.material, or leave it out");
-    if (deck.tool->held_beyond)
-      report.add(find_place(tool, "held_beyond"), "tool.held_beyond",
-                 "the tool has no material, so it has no temperature. Give tool.material, or leave it out");
-    return;
+    const ToolDeck& t = *deck.tool;
+    for (const auto& [key, is_given] :
+         {std::pair("held_beyond", t.held_beyond.has_value()),
+          std::pair("temperature_from", !t.temperature_from.empty()),
+          std::pair("heat_time", t.heat_time.has_value()), std::pair("wear_A", t.wear_A.has_value())})
+      if (is_given)
+        report.add(find_place(tool, key), std::string("tool.") + key,
+                   "the tool has no material, so it has no temperature. Give tool.material, or leave it out");
   }
+  if (deck.tool->idle_time > 0 && deck.tool->temperature_from.empty())
+    report.add(find_place(tool, "idle_time"), "tool.idle_time",
+               "there is no run before this one. Give temperature_from, or leave it out");
+  if (deck.tool->wear_A.has_value() != deck.tool->wear_B.has_value())
+    report.add(find_place(tool, deck.tool->wear_A ? "wear_A" : "wear_B"),
+               deck.tool->wear_A ? "tool.wear_A" : "tool.wear_B",
+               "wear needs both of its constants, wear_A and wear_B. Give the other, or leave it out");
+  if (!conducts) return;
   const MaterialDeck* m = find_material(deck, deck.tool->material);
   std::vector<std::string> rigid;
   for (const MaterialDeck& other : deck.materials)

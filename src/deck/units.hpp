@@ -21,6 +21,7 @@ enum class Dimension {
   conductivity,
   conductance,
   per_kelvin,
+  per_pressure,
   force,
   percentage
 };

@@ -61,7 +61,8 @@ bool is_frame(const std::string& name) {
   return name.starts_with("frame_") && part && ends_in_number(name, 6);
 }
 bool is_picture(const std::string& name) {
-  return name == "force.png" || name == "energy.png" || name == "chip.png" ||
+  return name == "force.png" || name == "energy.png" || name == "heat.png" || name == "chip.png" ||
+         ((name.starts_with("tool_") || name.starts_with("surface_")) && name.ends_with(".png")) ||
          (name.starts_with("chip_") && name.ends_with(".png") && ends_in_number(name, 5));
 }
 
@@ -77,8 +78,10 @@ std::vector<fs::path> list_files(const ResultsFolder& results) {
   std::error_code ignored;
   for (const fs::path& file :
        {results.history(), results.filtered_history(), results.results(), results.checkpoint(),
-        results.summary(), results.frame_list(), results.paraview(), results.tool()})
+        results.summary(), results.frame_list(), results.paraview(), results.tool(), results.tool_heat()})
     if (fs::exists(file, ignored)) files.push_back(file);
+  for (const char* name : {"surface.csv", "surface_heights.csv", "surface_history.csv", "surface.json"})
+    if (fs::exists(results.path / name, ignored)) files.push_back(results.path / name);
   add_files(results.frames(), is_frame, files);
   add_files(results.pictures(), is_picture, files);
   return files;

@@ -130,6 +130,12 @@ std::string write_tool(const fs::path& file, const FrameData& frame) {
   vtkNew<vtkPolyData> surface;
   set_points(surface, frame.tool);
   surface->SetPolys(make_cells(3, vtkIdType(frame.tool.size() / 9), nullptr));
+  const ToolFields& fields = frame.tool_fields;
+  add(surface->GetCellData(), "temperature", fields.temperature);
+  add(surface->GetCellData(), "contact_pressure", fields.contact_pressure);
+  add(surface->GetCellData(), "sliding_speed", fields.sliding_speed);
+  add(surface->GetCellData(), "friction_power", fields.friction_power);
+  add(surface->GetCellData(), "wear_depth", fields.wear_depth);
   set_time(surface, frame);
   return write_data<vtkXMLPolyDataWriter>(file, surface);
 }

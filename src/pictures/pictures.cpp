@@ -25,6 +25,7 @@ void draw_plots(const std::string& results) {
   make_folder(folder.pictures());
   plot_forces(folder, folder.pictures() / "force.png", deck.output.published, deck.output.filter_frequency);
   plot_energies(folder, folder.pictures() / "energy.png");
+  plot_heat(folder, folder.pictures() / "heat.png");
 }
 
 void draw_all(const std::string& results) {

@@ -4,8 +4,8 @@
 
 namespace swarf {
 
-// pictures/force.png and pictures/energy.png; windows.png of a pass in windows. Throws ResultsError,
-// DeckError.
+// pictures/force.png, energy.png, and heat.png where heat was made; windows.png of a pass in windows. Throws
+// ResultsError, DeckError.
 void draw_plots(const std::string& results);
 
 // windows.png of a pass that was run in windows; what cannot be drawn is said, never thrown.

@@ -119,4 +119,35 @@ void plot_energies(const ResultsFolder& results, const std::filesystem::path& pn
   chart.write(png, {});
 }
 
+bool plot_heat(const ResultsFolder& results, const std::filesystem::path& png) {
+  const HistoryTable history = load(results);
+  const auto& plastic = history.at("plastic_heat");
+  const auto& friction = history.at("friction_work");
+  const double most = plastic.back() + friction.back();
+  Axis axis = horizontal_axis(history);
+  std::vector<std::size_t> rows; // where a hundredth of it has been made: a share of next to nothing is noise
+  for (std::size_t k = 0; k < plastic.size(); ++k)
+    if (most > 0 && plastic[k] + friction[k] > 0.01 * most) rows.push_back(k);
+  if (rows.size() < 2) return false;
+  std::vector<double> x;
+  for (const std::size_t k : rows) x.push_back(axis.values[k]);
+  const auto share_of = [&](const std::vector<double>& values) {
+    std::vector<double> shares;
+    for (const std::size_t k : rows) shares.push_back(100 * values[k] / (plastic[k] + friction[k]));
+    return shares;
+  };
+  const std::vector<Curve> curves{
+      {"in the work and the chip", share_of(history.at("work_heat")), vermilion, 4},
+      {"in the tool", share_of(history.at("tool_heat")), blue, 4},
+      {"gone through held faces", share_of(history.at("heat_out")), green, 3},
+      {"made by friction", share_of(friction), orange, 3, vtkPen::DASH_LINE},
+      {"missing in the books", share_of(history.at("heat_residual")), black, 2.5, vtkPen::DASH_LINE}};
+  Chart chart("Where the heat goes", axis.title, "Share of the heat made [%]");
+  for (const Curve& curve : curves) chart.add(x, curve);
+  chart.set_range(vtkAxis::LEFT, 0, 100);
+  chart.set_range(vtkAxis::BOTTOM, x.front(), x.back());
+  chart.write(png, {});
+  return true;
+}
+
 } // namespace swarf

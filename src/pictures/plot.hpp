@@ -14,6 +14,11 @@ void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
 // The energy ledger over the same axis: where the external work went, and the residual.
 void plot_energies(const ResultsFolder& results, const std::filesystem::path& png);
 
+// Where the heat is that plastic work and friction have made since the start: shares of it in the work, in
+// the tool, gone through what is held, over the same axis; and what the books miss. False where none was
+// made.
+bool plot_heat(const ResultsFolder& results, const std::filesystem::path& png);
+
 // Force over immersion from windows.csv, with bars of one standard error, own or of the scatter between
 // windows. Needs a Display. Throws ResultsError.
 void plot_windows(const PassFolder& folder, const std::vector<LabelledForce>& published);

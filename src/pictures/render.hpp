@@ -28,4 +28,9 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& fr
 // folder says. Without a display it says so on stderr and returns false: a long run must not die of it.
 bool render_strip(const std::string& results_folder);
 
+// pictures/tool_FIELD.png: rake and flank of the tool in up to four frames, coloured by a field of its
+// surface
+// ("": its temperature, or the pressure where it has none). Throws ResultsError.
+void render_tool(const std::string& results_folder, const std::string& field);
+
 } // namespace swarf

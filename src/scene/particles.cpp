@@ -64,6 +64,8 @@ bool uses(const Deck& deck, Method method) {
     return set.density == "summation";
   case Method::with_surface_gradient:
     return set.correction && set.correct_forces;
+  case Method::with_tool:
+    return deck.tool.has_value();
   case Method::with_tool_heat:
     return deck.tool && !deck.tool->material.empty();
   }

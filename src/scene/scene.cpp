@@ -4,6 +4,7 @@
 #include "src/scene/hex_conversion.hpp"
 #include "src/scene/parts.hpp"
 #include "src/tool/cells.hpp"
+#include "src/tool/surface.hpp"
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -51,9 +52,14 @@ Material make_material(const MaterialDeck& deck) {
 
 namespace {
 
-std::vector<FilledBody> fill_bodies(const Deck& deck) {
-  std::vector<Shape> shapes; // all counts are checked before the first body is filled
+std::vector<Shape> shapes_of(const Deck& deck) {
+  std::vector<Shape> shapes;
   for (const BodyDeck& body : deck.bodies) shapes.push_back(make_shape(deck, body));
+  return shapes;
+}
+
+std::vector<FilledBody> fill_bodies(const Deck& deck) {
+  const std::vector<Shape> shapes = shapes_of(deck); // all counts are checked before the first is filled
   check_memory(deck);
   std::vector<FilledBody> bodies;
   int particles = 0, nodes = 0, hexes = 0;
@@ -178,16 +184,25 @@ void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& sc
     cell = std::max(cell, b.has_particles() ? b.points.spacing : touches ? std::cbrt(share) : 0.0);
   }
   scene.tool = build_tool(surface, *deck.tool, 2 * cell);
+  scene.patch_spacing = scene.spacing > 0 ? scene.spacing : cell;
+  make_patches(deck, scene, end_time_of(deck));
   if (deck.tool->material.empty()) return;
-  std::vector<Shape> shapes;
-  for (const FilledBody& b : bodies) shapes.push_back(b.shape);
-  const HeatPlan plan = plan_tool_heat(deck, shapes, scene.spacing > 0 ? scene.spacing : cell);
+  const HeatPlan plan = plan_tool_heat(deck, shapes_of(deck), scene.patch_spacing);
   scene.tool.heat = build_tool_heat(scene.tool, surface, *deck.tool, plan);
   scene.tool.heat.first = IndexField("tool_first", std::size_t(scene.tool.heat.cells) + 1);
   scene.heat_reach = plan.reach;
 }
 
 } // namespace
+
+void make_patches(const Deck& deck, Scene& scene, double end) {
+  const double finest = scene.patch_spacing;
+  ToolSurface& patches = scene.tool.surface;
+  patches = build_tool_surface(make_surface(deck),
+                               {finest, find_distance_to_work(deck, shapes_of(deck), finest, end)});
+  patches.wear_A = Real(deck.tool->wear_A.value_or(0)), patches.wear_B = Real(deck.tool->wear_B.value_or(0));
+  scene.patch_end = end;
+}
 
 Scene build_scene(const Deck& deck) {
   if (deck.run.accuracy) throw std::logic_error("run.accuracy must be applied before the scene is built");

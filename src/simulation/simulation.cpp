@@ -31,14 +31,16 @@ ContactPoints contact_points_of(const Particles& p) {
           {},
           {},
           p.heat_to_tool,
-          p.tool_cell};
+          p.tool_cell,
+          p.on_tool,
+          p.tool_patch};
 }
 ContactPoints contact_points_of(const HexMesh& m) {
-  return {m.nodes,         m.position,      m.velocity,       m.mass,
-          m.contact_gap,   m.contact_area,  m.force,          m.friction_force,
-          m.contact_force, m.friction_work, m.contact_energy, m.nodal_temperature,
-          IndexField(),    ScalarField(),   ScalarField(),    m.contact_heat,
-          m.heat_capacity, m.heat_to_tool,  m.tool_cell};
+  return {
+      m.nodes,      m.position,       m.velocity,      m.mass,          m.contact_gap,    m.contact_area,
+      m.force,      m.friction_force, m.contact_force, m.friction_work, m.contact_energy, m.nodal_temperature,
+      IndexField(), ScalarField(),    ScalarField(),   m.contact_heat,  m.heat_capacity,  m.heat_to_tool,
+      m.tool_cell,  m.on_tool,        m.tool_patch};
 }
 
 void Simulation::step() {
@@ -47,7 +49,7 @@ void Simulation::step() {
   move();
   timer.mark("integrate");
   if (shift_is_due()) shift();
-  if (conversion_due || rest_due) take_contact_heat();
+  if (conversion_due || rest_due) take_contact_heat(), take_surface_sums();
   if (conversion_due) convert();
   if (rest_due) rest();
   if (lists_due) rebuild_lists();
@@ -180,6 +182,14 @@ void Simulation::take_contact_heat() {
   for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)}) {
     ensure_rows(model.tool.heat.source, points.heat_to_tool.extent(0));
     gather_tool_heat(points, model.tool.heat);
+  }
+}
+
+void Simulation::take_surface_sums() {
+  if (!deck.tool) return;
+  for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)}) {
+    ensure_rows(model.tool.surface.source, points.on_tool.extent(0));
+    gather_tool_surface(points, model.tool.surface);
   }
 }
 

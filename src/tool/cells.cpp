@@ -1,5 +1,6 @@
 #include "src/tool/cells.hpp"
 #include "src/geometry/upload.hpp"
+#include "swarf/kernels.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -150,6 +151,11 @@ ToolHeat build_tool_heat(const Tool& tool, const FacetSurface& surface, const To
   heat.low = {Real(octree.low.x()), Real(octree.low.y()), Real(octree.low.z())};
   heat.size = Real(octree.size), heat.finest = Real(plan.finest), heat.one_layer = octree.one_layer;
   return heat;
+}
+
+void idle_tool(const ToolHeat& heat, double time, double stable_step) {
+  const double parts = std::ceil(time / stable_step);
+  for (double k = 0; k < parts; ++k) conduct_tool(heat, Real(time / parts));
 }
 
 } // namespace swarf

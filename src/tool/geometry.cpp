@@ -1,5 +1,6 @@
 #include "src/tool/geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -43,9 +44,14 @@ FacetSurface make_tool_surface(const ToolDeck& tool, const std::string& folder) 
 }
 
 ToolPose tool_pose(const ToolDeck& tool, double time) {
-  const Triple velocity = velocity_with_feed(tool);
+  Triple velocity = velocity_with_feed(tool);
   Triple position = tool.position;
-  for (int a = 0; a < 3; ++a) position[a] += velocity[a] * time;
+  const double cut = tool.lift_time ? std::min(time, *tool.lift_time) : time;
+  for (int a = 0; a < 3; ++a) position[a] += velocity[a] * cut;
+  if (cut < time) {
+    for (int a = 0; a < 3; ++a) position[a] += tool.lift_velocity[a] * (time - cut);
+    velocity = tool.lift_velocity;
+  }
   ToolPose pose;
   pose.position = to_vector(position);
   pose.velocity = to_vector(velocity);

@@ -47,6 +47,7 @@ enum class Method {
   with_sleep,
   with_summation,
   with_surface_gradient,
+  with_tool,
   with_tool_heat,
 };
 
