@@ -1,9 +1,10 @@
-// The program: swarf run | check | keys | plot | render.
+// The program: swarf run | check | keys | materials | import | plot | render.
 #include "src/app/check.hpp"
 #include "src/app/child_process.hpp"
 #include "src/app/run.hpp"
 #include "src/app/run_windows.hpp"
 #include "src/app/signals.hpp"
+#include "src/deck/library.hpp"
 #include "src/files/folder_lock.hpp"
 #include "src/files/results.hpp"
 #include "src/files/say.hpp"
@@ -115,7 +116,15 @@ int main(int argc, char** argv) {
   check->add_option("-t,--threads", threads, "threads")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 
+  std::string picture;
+  CLI::Option* draw = check
+                          ->add_option("--picture", picture,
+                                       "draw bodies and the tool's way to this PNG (default NAME_scene.png)")
+                          ->expected(0, 1);
+
   CLI::App* keys = app.add_subcommand("keys", "print the reference of all deck keys");
+
+  CLI::App* materials = app.add_subcommand("materials", "list the library of materials, with sources");
 
   std::string folder;
   CLI::App* plot = app.add_subcommand("plot", "draw force and energy plots of a results folder again");
@@ -126,6 +135,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     if (*keys) return fmt::print("{}", swarf::key_reference()), 0;
+    if (*materials) return fmt::print("{}", swarf::list_materials()), 0;
     if (*plot || *render) {
       const swarf::FolderLock lock(existing(folder));
       if (*plot) return swarf::draw_plots(folder), 0;
@@ -135,8 +145,10 @@ int main(int argc, char** argv) {
     if (spread->count() > 0) options.windows = windows_text;
     options.pictures = !no_pictures, windows.threads = threads;
     if (*run) return ::run(options, windows);
+    if (draw->count() > 0 && picture.empty())
+      picture = std::filesystem::path(options.deck).stem().string() + "_scene.png";
     const int asked = threads > 0 ? threads : swarf::read_deck(options.deck).run.threads;
-    return with_kokkos(asked, [&] { return swarf::check_deck(options.deck), 0; });
+    return with_kokkos(asked, [&] { return swarf::check_deck(options.deck, picture), 0; });
   } catch (const std::exception& error) {
     swarf::complain("{}", error.what());
     return 1;

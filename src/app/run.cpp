@@ -54,6 +54,13 @@ void save_rest(Recorder& recorder, RunEnding& ending, bool with_frame) {
   }
 }
 
+// What check would have said of the bodies, for those who did not ask.
+void speak_of_bodies(const Deck& deck, const Scene& scene) {
+  const BodyReport bodies = look_at_bodies(deck, scene);
+  for (const std::string& pair : bodies.joined) say("{}\n", pair);
+  for (const std::string& warning : bodies.warnings) complain("warning: {}.", warning);
+}
+
 void warn_of_retired(const Simulation& simulation) {
   if (const RetiredCount left = count_retired(simulation.scene().particles); left.met > 0)
     complain(
@@ -103,6 +110,7 @@ int run_deck(const Deck& deck, const RunOptions& options) {
   if (!lock) lock = std::make_unique<FolderLock>(where);
   if (simulation.scene().collapsed_facets > 0)
     say("facets of the tool: {}\n", describe_facets(simulation.scene()));
+  if (!options.resume) speak_of_bodies(deck, simulation.scene());
   const ResultsFolder folder =
       options.resume ? open_results(where) : create_results(where, options.overwrite);
   Recorder recorder(deck, simulation, folder);

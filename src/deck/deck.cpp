@@ -1,5 +1,6 @@
 #include "src/deck/deck.hpp"
 #include "src/deck/checks.hpp"
+#include "src/deck/library.hpp"
 #include "src/deck/section.hpp"
 #include <algorithm>
 #include <cerrno>
@@ -202,6 +203,7 @@ Deck DeckReader::read() {
   read_output();
   read_windows();
   report.throw_if_any();
+  add_library_materials(deck);
   check_deck(deck, root, report);
   report.throw_if_any();
   return deck;

@@ -100,7 +100,8 @@ const Keys<BodyDeck>& body_keys() {
        "cylinder and ring have their axis along z"},
       {"fill", &B::fill, D::none, Choices{"particles", "hexes"}, required, always,
        "how the body is discretised"},
-      {"material", &B::material, D::none, Text{}, required, always, "NAME of a [material.NAME]"},
+      {"material", &B::material, D::none, Text{}, required, always,
+       "NAME of a [material.NAME], or \"library:NAME\" of those that swarf materials lists"},
       {"origin", &B::origin, D::length, any, zero_point, always,
        "block: corner of least x, y, z; cylinder and ring: centre of the base; sphere: centre"},
       {"size", &B::size, D::length, positive, required, shape({"block"}), "edges along x, y, z"},
@@ -202,7 +203,8 @@ const Keys<ToolDeck>& tool_keys() {
       {"start_angle", &T::start_angle, D::angle, Range{-360, 720}, R"("0 deg")", mill,
        "immersion angle of tooth 0 at the end face at time 0: clockwise from +y"},
       {"material", &T::material, D::none, Text{}, optional, always,
-       "NAME of a [material.NAME] with law = \"rigid\": the tool conducts, and takes heat from the bodies "
+       "NAME of a [material.NAME] with law = \"rigid\", or \"library:carbide-wc-co\": the tool conducts, and "
+       "takes heat from the bodies "
        "and "
        "from friction by itself; not given: contact.heat_to_workpiece"},
       {"temperature", &T::temperature, D::temperature, positive, R"("25 degC")", always,

@@ -129,8 +129,7 @@ void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& repo
     report.add(find_place(tool, "material"), "tool.material",
                m ? fmt::format("[material.{}] deforms. Name one with law = \"rigid\".{}", m->name,
                                suggest(m->name, rigid))
-                 : fmt::format("there is no [material.{}] in this deck.{}", deck.tool->material,
-                               suggest(deck.tool->material, rigid)));
+                 : describe_missing(deck.tool->material, rigid));
   if (deck.contact.heat_to_workpiece)
     report.add(
         find_place(contact, "heat_to_workpiece"), "contact.heat_to_workpiece",

@@ -55,6 +55,24 @@ std::string advise_unit(const toml::node& node, const ValueRule& rule, const std
   return fmt::format(". {} {}\"{}\"", is_si ? "In SI units, write" : "Write", as, quantity);
 }
 
+// What lies beyond is a slip, and overflows where lengths are multiplied: it would be found as something
+// else.
+std::string describe_slip(double x, const ValueRule& rule) {
+  const auto beyond = [&](double most, const char* as) {
+    return std::abs(x) > most
+               ? fmt::format("{} {} is {}. Look at the unit", x, describe(rule.dimension).si, as)
+               : "";
+  };
+  if (rule.dimension == Dimension::length) {
+    const auto* range = std::get_if<Range>(&rule.allowed);
+    if (range && range->low == 0 && range->low_open && x < 1e-15)
+      return fmt::format("{} m is less than the size of an atom's core. Look at the unit", x);
+    return beyond(1e12, "farther than the planets");
+  }
+  if (rule.dimension == Dimension::velocity) return beyond(3e8, "faster than light");
+  return "";
+}
+
 // One number of a value or of an array. `as` is what to write it as: "spacing = " or nothing in an array.
 std::string read_number(const toml::node& node, const ValueRule& rule, const std::string& as, double& x) {
   const DimensionText& text = describe(rule.dimension);
@@ -77,7 +95,7 @@ std::string read_number(const toml::node& node, const ValueRule& rule, const std
   if (range && !is_within(x, *range, rule.dimension))
     return fmt::format("expected {}, {}, got {}", text.name, describe_bounds(*range, rule.dimension),
                        show(node));
-  return "";
+  return describe_slip(x, rule);
 }
 
 std::string read_numbers(const toml::node& node, const ValueRule& rule, std::size_t count, double* x) {

@@ -182,6 +182,9 @@ void write_file(const fs::path& file, std::string_view content) {
 std::string read_text(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
+  errno = 0;
+  const bool is_empty = stream && stream.peek() == std::ifstream::traits_type::eof() && errno == 0;
+  if (is_empty) return ""; // of which << makes an error
   if (!stream || !(text << stream.rdbuf()))
     throw ResultsError(fmt::format("{}: cannot read it: {}; give the folder of a finished or stopped run",
                                    file.string(), std::strerror(errno)));

@@ -81,13 +81,15 @@ void parse_row(std::string_view line, long number, const fs::path& file, History
     if (error != std::errc{} || end != field.data() + field.size() || column >= table.columns.size())
       throw ResultsError(
           fmt::format("{}:{}: expected {} numbers, found '{}' as number {}; the file was damaged after "
-                      "the run, restart from the checkpoint to write it anew",
+                      "the run, copy it again or start the run anew with --overwrite",
                       file.string(), number, table.columns.size(), field, column + 1));
     table.values[column++].push_back(value);
   });
   if (column != table.columns.size())
-    throw ResultsError(fmt::format("{}:{}: expected {} numbers, found {}; the file was damaged after the run",
-                                   file.string(), number, table.columns.size(), column));
+    throw ResultsError(
+        fmt::format("{}:{}: expected {} numbers, found {}; the file was damaged after the run, "
+                    "copy it again or start the run anew with --overwrite",
+                    file.string(), number, table.columns.size(), column));
 }
 
 } // namespace
@@ -122,6 +124,8 @@ HistoryFile::HistoryFile(const fs::path& file, int number_of_teeth, long rows)
                     "checkpoint was written in",
                     file.string()));
   std::size_t end = 0;
+  HistoryTable kept; // read now: a damaged row would otherwise be found when the run has ended
+  kept.columns = history_columns(teeth), kept.values.resize(kept.columns.size());
   for (long line = 0; line <= rows; ++line) {
     const auto newline = text.find('\n', end);
     if (newline == text.npos)
@@ -129,6 +133,7 @@ HistoryFile::HistoryFile(const fs::path& file, int number_of_teeth, long rows)
           fmt::format("{}: holds {} samples, the checkpoint was written after {}; the history was "
                       "changed after the run, start the run again",
                       file.string(), line - 1, rows));
+    if (line > 0) parse_row(std::string_view(text).substr(end, newline - end), line + 1, file, kept);
     end = newline + 1;
   }
   descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);

@@ -33,7 +33,12 @@ void scale_points(vtkPointSet* set) {
 
 // VTK's readers believe what a file says of its own lengths: only what the run wrote is shown to them.
 void check_bytes(const std::filesystem::path& file, const FrameEntry& entry, const std::string& part) {
-  const std::string bytes = read_text(file); // says what the system says if it is not there
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    throw ResultsError(fmt::format(
+        "{}: is missing, though frames.csv lists it; copy it again, or run the deck anew with --overwrite",
+        file.string()));
+  const std::string bytes = read_text(file);
   const auto sum = entry.checksums.find(part);
   if (sum != entry.checksums.end() && hash_text(bytes) != sum->second)
     throw ResultsError(
@@ -148,8 +153,15 @@ ShownField describe_field(const std::string& name) {
   if (name == "von_mises") return {name, "Von Mises stress [MPa]", 1e-6};
   if (name == "pressure") return {name, "Pressure [MPa]", 1e-6};
   if (name == "velocity") return {name, "Speed [m/s]", 1};
+  if (name == "material") return {name, "Material (row of the deck's)", 1};
   if (name == "damage") return {name, "Damage [-]", 1};
   return {name, name + " [SI]", 1};
+}
+
+void check_frame(const ResultsFolder& results, const FrameEntry& entry) {
+  for (const auto& [part, is_there] :
+       {std::pair{"particles", entry.particles}, {"hexes", entry.hexes}, {"tool", entry.tool}})
+    if (is_there) check_bytes(frame_file(results, entry.index, part), entry, part);
 }
 
 LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, const ShownField& field) {

@@ -198,6 +198,20 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
   write_png(window, png);
 }
 
+// Without those that are missing or damaged, which are said.
+static std::vector<FrameEntry> list_sound(const ResultsFolder& results, std::vector<FrameEntry> frames) {
+  std::erase_if(frames, [&](const FrameEntry& entry) {
+    try {
+      check_frame(results, entry);
+      return false;
+    } catch (const ResultsError& error) {
+      complain("warning: no picture of frame {}: {}", entry.index, error.what());
+      return true;
+    }
+  });
+  return frames;
+}
+
 bool render_strip(const std::string& results_folder) {
   const ResultsFolder results = open_results(results_folder);
   const Deck deck = read_deck(results.deck().string(), results.tool().string());
@@ -208,14 +222,17 @@ bool render_strip(const std::string& results_folder) {
   make_folder(results.pictures());
   std::vector<double> angles = deck.output.picture_immersion;
   for (double& angle : angles) angle *= 180 / M_PI;
-  const auto chosen = choose_frames(read_frame_list(results), angles, deck.output.picture_time);
+  const auto wanted = choose_frames(read_frame_list(results), angles, deck.output.picture_time);
+  const auto chosen = list_sound(results, wanted);
+  if (chosen.empty() && !wanted.empty())
+    throw ResultsError(fmt::format("{}: not one of the frames to draw is whole", results.frames().string()));
   const PictureOptions options{deck.output.picture_field, deck.output.picture_view, 0};
   draw_frames(results, chosen, options, results.pictures() / "chip.png");
   for (const FrameEntry& entry : chosen)
     if (entry.particles || entry.hexes)
       draw_frames(results, {entry}, options,
                   results.pictures() / fmt::format("chip_{:04d}.png", entry.index));
-  return true;
+  return chosen.size() == wanted.size();
 }
 
 } // namespace swarf

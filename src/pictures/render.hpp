@@ -8,9 +8,10 @@ namespace swarf {
 
 struct PictureOptions {
   std::string field =
-      "temperature";    // or equivalent_plastic_strain, plastic_strain_rate, von_mises, velocity, ...
-  Triple view{0, 0, 1}; // direction from the scene to the camera
-  double window = 0;    // m across a view; 0: all particles, or where the tool cuts if they are many
+      "temperature";       // or equivalent_plastic_strain, plastic_strain_rate, von_mises, velocity, ...
+  Triple view{0, 0, 1};    // direction from the scene to the camera
+  double window = 0;       // m across a view; 0: all particles, or where the tool cuts if they are many
+  bool everything = false; // hexes and the tool as well
 };
 
 // The frame nearest to each asked angle (deg) or time (s), each once, in order of time. Nothing asked: up to

@@ -32,6 +32,8 @@ struct ShownField {
 };
 ShownField describe_field(const std::string& name);
 
+// Throws ResultsError that says which file is missing or damaged.
+void check_frame(const ResultsFolder& results, const FrameEntry& entry);
 LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, const ShownField& field);
 
 // What all views of a picture share.
