@@ -137,8 +137,8 @@ ContactPoints between_nodes(const HexMesh& m) {
       n);
 }
 
-// Contact looks from the nodes to the tool: where it is deep in a face before it has come to a node it is not
-// felt, and its shape is finer than the mesh. The poses up to its first node decide.
+// Contact looks from the nodes to the tool: where it goes on in a face before it has come to a node it is not
+// felt, and its edge is finer than the mesh. The poses up to its first node decide.
 void warn_of_gaps(const Deck& deck, const Scene& scene, std::vector<std::string>& warnings) {
   const HexMesh& m = scene.hexes;
   if (m.points.count == 0) return;
@@ -152,17 +152,21 @@ void warn_of_gaps(const Deck& deck, const Scene& scene, std::vector<std::string>
   const double speed = double(norm(start.velocity)) + std::abs(double(start.angular_velocity)) * radius;
   const double end = end_time_of(deck), poses = std::ceil(4 * speed * end / edge) + 1;
   if (between.count == 0 || poses * double(between.count + m.nodes) > most_looks) return;
+  double first = -1;
   for (double k = 0; k < poses; ++k) {
     const ToolPose pose = tool_pose(*deck.tool, poses > 1 ? end * k / (poses - 1) : 0.0);
     if (double(find_closest_point(nodes, scene.tool, pose).depth) > 0) return;
     const ClosestPoint in_face = find_closest_point(between, scene.tool, pose);
-    if (in_face.row < 0 || double(in_face.depth) < 0.4 * edge) continue;
+    if (in_face.row < 0 || double(in_face.depth) <= 0) continue;
+    if (first < 0) first = k;
+    const double way = poses > 1 ? speed * end * (k - first) / (poses - 1) : 0;
+    if (way < 0.5 * edge) continue;
     const Vector3 at = load_vector(host_copy(between.position), in_face.row);
-    warnings.push_back(fmt::format("the tool is {} deep between the nodes of the hexes, at ({:.4g}, {:.4g}, "
-                                   "{:.4g}) m, before it comes to one "
-                                   "of them: it goes in unseen. Take hexes of at most {}, or particles there",
-                                   describe_length(double(in_face.depth)), at.x, at.y, at.z,
-                                   describe_length(0.4 * edge)));
+    warnings.push_back(
+        fmt::format("the tool goes {} into the hexes between their nodes, at ({:.4g}, {:.4g}, {:.4g}) m, "
+                    "before it comes to one "
+                    "of them: until then it is not felt. Take hexes of at most {}, or particles there",
+                    describe_length(way), at.x, at.y, at.z, describe_length(0.5 * edge)));
     return;
   }
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* prefix = "library:";
 
 LibraryMaterial read_entry(const std::string& name, toml::table table) {
-  LibraryMaterial entry;
+  LibraryMaterial entry{}; // constants of other laws are zero, as a deck has them
   entry.about = table["about"].value_or(std::string()),
   entry.source = table["source"].value_or(std::string());
   if (entry.about.empty() || entry.source.empty())

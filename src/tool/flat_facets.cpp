@@ -22,8 +22,9 @@ using Facet = std::array<int, 3>;
 // The facet that runs along an edge in this direction; -1: several do.
 class Directed {
  public:
-  explicit Directed(const FacetSurface& surface) {
-    for (int f = 0; f < int(surface.facets.size()); ++f) add(surface.facets[std::size_t(f)], f);
+  Directed(const FacetSurface& surface, const std::vector<bool>& is_gone) {
+    for (int f = 0; f < int(surface.facets.size()); ++f)
+      if (!is_gone[std::size_t(f)]) add(surface.facets[std::size_t(f)], f);
   }
   int find(int from, int to) const {
     const auto at = facet.find({from, to});
@@ -52,6 +53,19 @@ std::size_t start_of_longest(const FacetSurface& surface, const Facet& f) {
   return best;
 }
 
+// Two that lie back to back on the same three corners.
+void leave_out_pairs(const FacetSurface& surface, const std::vector<int>& flat, std::vector<bool>& is_gone) {
+  std::map<Facet, int> waiting; // by corners in ascending order
+  for (const int f : flat) {
+    Facet key = surface.facets[std::size_t(f)];
+    std::sort(key.begin(), key.end());
+    const auto [at, is_new] = waiting.try_emplace(key, f);
+    if (is_new) continue;
+    is_gone[std::size_t(f)] = is_gone[std::size_t(at->second)] = true;
+    waiting.erase(at);
+  }
+}
+
 } // namespace
 
 bool is_flat(const FacetSurface& surface, const Facet& facet) {
@@ -68,8 +82,9 @@ void take_out_flat_facets(FacetSurface& surface) {
     if (is_flat(surface, surface.facets[std::size_t(f)])) flat.push_back(f);
   if (flat.empty()) return;
   surface.collapsed += int(flat.size());
-  Directed edges(surface);
   std::vector<bool> is_gone(surface.facets.size(), false);
+  leave_out_pairs(surface, flat, is_gone);
+  Directed edges(surface, is_gone);
   // Each turn makes the sum of all sides shorter; the bound is for sides that differ by round-off.
   for (std::size_t turns = 0; !flat.empty() && turns < 16 * surface.facets.size(); ++turns) {
     const int f = flat.back();

@@ -197,7 +197,7 @@ TEST(Check, gives_advice_that_helps) {
 
 TEST(Check, a_size_that_is_a_slip_names_its_key) {
   expect_words(edit(slice, {{"[\"-25 um\", \"0 um\"", "[\"1e200 m\", \"0 um\""}}),
-               {"deck.toml:36: tool.position: entry 1: 1e+200 m is farther than the planets"}, 1);
+               {"deck.toml:38: tool.position: entry 1: 1e+200 m is farther than the planets"}, 1);
   expect_words(edit(slice, {{"height = \"100 um\"", "height = \"1e-200 m\""}}), {"tool.height: 1e-200 m"}, 1);
   expect_words(edit(slice, {{"\"1 m/s\"", "\"1e200 m/s\""}}),
                {"tool.velocity: entry 1: ", "faster than light"}, 1);
@@ -247,14 +247,15 @@ TEST(Check, a_large_deck_is_answered_at_once) {
                 "too many to build and look at here"});
 }
 
-// A wedge of 8 um edge radius between nodes that are 20 um apart.
+// A sharp wedge of high rake, whose edge goes between nodes that are 20 um apart.
 TEST(Check, a_tool_that_goes_in_between_the_nodes) {
   const std::string hexes = edit(slice, {{"fill = \"particles\"", "fill = \"hexes\""},
                                          {"spacing = \"10 um\"\ntie = \"bulk\"", "spacing = \"20 um\""},
                                          {"rake = \"10 deg\"", "rake = \"60 deg\""},
                                          {"edge_radius = \"20 um\"", "edge_radius = \"1 um\""},
-                                         {"\"-25 um\", \"0 um\"", "\"-25 um\", \"8 um\""}});
-  expect_words(hexes, {"deep between the nodes of the hexes", "goes in unseen"});
+                                         {"\"-25 um\", \"0 um\"", "\"-25 um\", \"8 um\""},
+                                         {"\"30 us\"", "\"60 us\""}});
+  expect_words(hexes, {"into the hexes between their nodes", "until then it is not felt"});
 }
 
 TEST(Check, draws_the_scene) {
