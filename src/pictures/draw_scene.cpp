@@ -2,7 +2,9 @@
 #include "src/pictures/display.hpp"
 #include "src/pictures/render.hpp"
 #include "src/tool/geometry.hpp"
+#include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 
 namespace swarf {
 namespace fs = std::filesystem;
