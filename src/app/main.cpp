@@ -1,6 +1,8 @@
-// The program: swarf run | check | keys | plot | render.
+// The program: swarf run | check | keys | plot | render | mechanistic | identify | study | report.
 #include "src/app/check.hpp"
 #include "src/app/child_process.hpp"
+#include "src/app/mechanistic.hpp"
+#include "src/app/python.hpp"
 #include "src/app/run.hpp"
 #include "src/app/run_windows.hpp"
 #include "src/app/signals.hpp"
@@ -123,6 +125,28 @@ int main(int argc, char** argv) {
   CLI::App* render = app.add_subcommand("render", "draw the chip pictures of a results folder again");
   render->add_option("results", folder, "results folder")->required();
 
+  swarf::MechanisticOptions model;
+  CLI::App* mechanistic =
+      app.add_subcommand("mechanistic", "forces over a turn of the mill from coefficients, in no time");
+  mechanistic->add_option("deck", model.deck, "the deck")->required();
+  mechanistic->add_option("-o,--output", model.output, "folder (default results/NAME of the deck)");
+  CLI::Option* from_file = mechanistic->add_option("--coefficients", model.coefficients,
+                                                   "a file with [mechanistic], as identify writes it");
+  mechanistic
+      ->add_option("--measurements", model.measurements, "a csv of forces that the coefficients fit best")
+      ->excludes(from_file);
+  mechanistic->add_flag("--no-pictures", no_pictures, "draw nothing");
+  swarf::IdentifyOptions identified;
+  CLI::App* identify = app.add_subcommand("identify", "coefficients of the mechanistic model from runs");
+  identify->add_option("results", identified.folders, "folders of runs, of three feeds or chip thicknesses")
+      ->required();
+  identify->add_option("-o,--output", identified.output,
+                       "file for the coefficients, a section [mechanistic]");
+
+  // Their words are those of the Python package, which reads them.
+  for (const auto& [name, what] : swarf::python_commands)
+    app.add_subcommand(name, what)->prefix_command()->set_help_flag();
+
   CLI11_PARSE(app, argc, argv);
   try {
     if (*keys) return fmt::print("{}", swarf::key_reference()), 0;
@@ -131,6 +155,12 @@ int main(int argc, char** argv) {
       if (*plot) return swarf::draw_plots(folder), 0;
       return swarf::render_strip(folder) ? 0 : 1;
     }
+    model.pictures = !no_pictures;
+    if (*mechanistic) return swarf::show_mechanistic(model), 0;
+    if (*identify) return swarf::show_identified(identified), 0;
+    for (const auto& command : swarf::python_commands)
+      if (const CLI::App* python = app.get_subcommand(command.first); *python)
+        return swarf::run_python(command.first, python->remaining());
     if (*run) swarf::survive_failed_writes();
     if (spread->count() > 0) options.windows = windows_text;
     options.pictures = !no_pictures, windows.threads = threads;

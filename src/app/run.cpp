@@ -9,6 +9,7 @@
 #include "src/files/folder_lock.hpp"
 #include "src/files/results.hpp"
 #include "src/files/say.hpp"
+#include "src/mechanistic/model.hpp"
 #include "src/pictures/pictures.hpp"
 #include "src/windows/windows.hpp"
 #include <memory>
@@ -129,6 +130,7 @@ int run_deck(const Deck& deck, const RunOptions& options) {
   } catch (const std::exception&) {
     if (ending.status == 0) throw;
   }
+  if (deck.mechanistic) write_table(run_model(deck, *deck.mechanistic), folder.mechanistic());
   signals.reset(); // pictures may be cut short
   report(simulation, progress.seconds());
   warn_of_retired(simulation);

@@ -7,13 +7,28 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 namespace swarf {
 namespace {
 
-const std::vector<std::string> section_names = {"material", "body",   "tool", "contact", "particles", "hexes",
-                                                "sleep",    "retire", "run",  "output",  "windows"};
+const std::vector<std::string> section_names = {"material",  "body",   "tool",    "contact",
+                                                "particles", "hexes",  "sleep",   "retire",
+                                                "run",       "output", "windows", "mechanistic"};
+
+MechanisticDeck fill_mechanistic(const toml::table& table, DeckReport& report) {
+  MechanisticDeck model;
+  model.line = int(table.source().begin.line);
+  const double per_radian = 180 / std::numbers::pi;
+  const std::size_t before = report.count();
+  read_keys(table, "mechanistic", mechanistic_keys(), model, report);
+  if (report.count() == before && model.exit <= model.entry)
+    report.add(find_place(table, "exit"), "mechanistic.exit",
+               fmt::format("expected more than entry = {:.6g} deg, got {:.6g} deg",
+                           model.entry * per_radian, model.exit * per_radian));
+  return model;
+}
 
 class DeckReader {
  public:
@@ -38,6 +53,7 @@ class DeckReader {
   void read_output();
   void read_run();
   void read_windows();
+  void read_mechanistic();
 };
 
 // The table, or an empty one so that the defaults are filled in.
@@ -189,6 +205,15 @@ void DeckReader::read_windows() {
   read_keys(table, "windows", windows_keys(), windows, report);
 }
 
+void DeckReader::read_mechanistic() {
+  if (!root.contains("mechanistic")) return;
+  const toml::table& table = find_section("mechanistic");
+  if (&table == &empty) return; // reported
+  deck.mechanistic = fill_mechanistic(table, report);
+  if (!deck.tool || deck.tool->kind != "end_mill")
+    report.add(table, "mechanistic", "is a model of an end mill, and this deck has none. Remove the section");
+}
+
 Deck DeckReader::read() {
   read_top();
   read_materials();
@@ -201,6 +226,7 @@ Deck DeckReader::read() {
   read_run();
   read_output();
   read_windows();
+  read_mechanistic();
   report.throw_if_any();
   check_deck(deck, root, report);
   report.throw_if_any();
@@ -242,11 +268,13 @@ double end_time_of(const Deck& deck) {
   return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;
 }
 
-Deck read_deck(const std::string& file, const std::string& stl) {
+// Hands the parsed file to `use`.
+template <class Use>
+auto with_table(const std::string& file, const Use& use) {
   const std::string text = read_text(file);
   try {
     const toml::table table = toml::parse(text, file);
-    return DeckReader({file, stl}, table).read();
+    return use(table);
   } catch (const toml::parse_error& error) {
     const std::string description(error.description());
     const bool is_after_value = description.find("expected a comment or whitespace") != std::string::npos;
@@ -254,6 +282,23 @@ Deck read_deck(const std::string& file, const std::string& stl) {
     throw DeckError(
         fmt::format("{}:{}: this is not TOML: {}.{}", file, error.source().begin.line, description, advice));
   }
+}
+
+Deck read_deck(const std::string& file, const std::string& stl) {
+  return with_table(file, [&](const toml::table& table) { return DeckReader({file, stl}, table).read(); });
+}
+
+MechanisticDeck read_mechanistic(const std::string& file) {
+  return with_table(file, [&](const toml::table& table) {
+    const toml::table* section = table["mechanistic"].as_table();
+    if (!section)
+      throw DeckError(file + ": mechanistic: is missing. Give a file with a section [mechanistic], as swarf "
+                             "identify writes it.");
+    DeckReport report(file);
+    const MechanisticDeck model = fill_mechanistic(*section, report);
+    report.throw_if_any();
+    return model;
+  });
 }
 
 } // namespace swarf

@@ -149,6 +149,17 @@ struct WindowsDeck {
   bool operator==(const WindowsDeck&) const = default;
 };
 
+// The mechanistic model of the mill: forces of edge elements, linear in the chip thickness.
+struct MechanisticDeck {
+  double K_tc = 0, K_rc = 0, K_ac = 0; // Pa: shearing, tangential, radial, axial
+  double K_te = 0, K_re = 0, K_ae = 0; // N/m: of the edge
+  double minimum_chip = 0;             // m: thinner ones are not cut, but pressed down
+  std::optional<double> depth, helix;  // m, rad; not given: of the scene
+  double entry = 0, exit = 0;          // immersion, rad, where the work begins and ends
+  int line = 0;                        // of the deck, for messages; 0: not from a deck
+  bool operator==(const MechanisticDeck&) const = default;
+};
+
 struct LabelledForce {
   std::string label;
   double force; // N
@@ -191,6 +202,7 @@ struct Deck {
   RunDeck run;
   OutputDeck output;
   std::optional<WindowsDeck> windows;
+  std::optional<MechanisticDeck> mechanistic;
   std::optional<AccuracyPick> picked; // never from a file: that has the settings themselves
   bool operator==(const Deck&) const = default;
 };
@@ -199,6 +211,11 @@ struct Deck {
 // sections (names, ties, spindle) when there are no others.
 // `stl` takes the place of the tool's STL file where that is missing: the copy that a results folder keeps.
 Deck read_deck(const std::string& file, const std::string& stl = "");
+
+// The section [mechanistic] of a file that may have no other: what swarf identify writes. Throws DeckError.
+MechanisticDeck read_mechanistic(const std::string& file);
+// That section as TOML, in SI units.
+std::string write_mechanistic(const MechanisticDeck& model);
 
 bool conducts_heat(const Deck& deck);
 const MaterialDeck* find_material(const Deck& deck, const std::string& name); // null: there is none

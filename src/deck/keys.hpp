@@ -60,6 +60,7 @@ const Keys<RunDeck>& run_keys();
 const Keys<OutputDeck>& output_keys();
 const Keys<LabelledForce>& published_keys();
 const Keys<WindowsDeck>& windows_keys();
+const Keys<MechanisticDeck>& mechanistic_keys();
 
 template <class Section>
 const std::string* text_of(const Keys<Section>& keys, const std::string& name, const Section& section) {

@@ -22,6 +22,7 @@ enum class Dimension {
   conductance,
   per_kelvin,
   force,
+  line_force,
   percentage
 };
 

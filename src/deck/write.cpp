@@ -91,6 +91,10 @@ std::string write_reference(const std::string& heading, const std::string& help,
 
 } // namespace
 
+std::string write_mechanistic(const MechanisticDeck& model) {
+  return "[mechanistic]\n" + write_keys(mechanistic_keys(), model);
+}
+
 std::string resolved_deck(const Deck& deck) {
   std::string text = "# Written by swarf: the deck with every default, in SI units.\n";
   if (deck.picked) {
@@ -114,6 +118,7 @@ std::string resolved_deck(const Deck& deck) {
   if (deck.retire.distance) text += "\n[retire]\n" + write_keys(retire_keys(), deck.retire);
   text += "\n[run]\n" + write_keys(run_keys(), deck.run);
   if (deck.windows) text += "\n[windows]\n" + write_keys(windows_keys(), *deck.windows);
+  if (deck.mechanistic) text += "\n" + write_mechanistic(*deck.mechanistic);
   text += "\n[output]\n" + write_keys(output_keys(), deck.output);
   return text + write_published(deck.output.published);
 }
@@ -144,11 +149,15 @@ std::string key_reference() {
   text += write_reference("[run]", "Exactly one of end_time and end_immersion.", run_keys());
   text += write_reference("[output]", "What is written, and how often.", output_keys());
   text += write_reference("output.published", "Each entry of the list:", published_keys());
+  text += write_reference("[windows]",
+                          "Optional: runs short windows spread over the pass instead of the whole of it, as "
+                          "swarf run --windows first:last:step does. An end mill and rings only.",
+                          windows_keys());
   return text +
-         write_reference("[windows]",
-                         "Optional: runs short windows spread over the pass instead of the whole of it, as "
-                         "swarf run --windows first:last:step does. An end mill and rings only.",
-                         windows_keys());
+         write_reference("[mechanistic]",
+                         "Optional: coefficients of the mechanistic model of the mill, drawn beside the "
+                         "run's forces (swarf mechanistic).",
+                         mechanistic_keys());
 }
 
 } // namespace swarf

@@ -27,6 +27,7 @@ struct ResultsFolder {
   std::filesystem::path frame_list() const { return path / "frames.csv"; }
   std::filesystem::path paraview() const { return path / "frames.pvd"; }
   std::filesystem::path pictures() const { return path / "pictures"; }
+  std::filesystem::path mechanistic() const { return path / "mechanistic.csv"; } // of the deck, not of a run
   std::filesystem::path tool() const { return path / "tool.stl"; }
 };
 

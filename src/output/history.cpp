@@ -190,6 +190,16 @@ HistoryTable read_history(const fs::path& file) {
   return table;
 }
 
+void write_table(const HistoryTable& table, const fs::path& file) {
+  std::string text = header_line(table.columns);
+  std::vector<double> row(table.columns.size());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] = table.values[c][i];
+    text += row_line(row);
+  }
+  write_file(file, text);
+}
+
 HistoryTable filter_history(const HistoryTable& history, double frequency) {
   const auto& time = history.at("time");
   if (frequency <= 0) frequency = default_filter_frequency(time);
@@ -212,13 +222,7 @@ void write_history_results(const ResultsFolder& results, double filter_frequency
   const HistoryTable filtered = filter_history(history, filter_frequency);
   write_history_hdf5(results.results(), history, filtered);
 
-  std::string text = header_line(filtered.columns);
-  std::vector<double> row(filtered.columns.size());
-  for (std::size_t i = 0; i < filtered.rows(); ++i) {
-    for (std::size_t c = 0; c < row.size(); ++c) row[c] = filtered.values[c][i];
-    text += row_line(row);
-  }
-  write_file(results.filtered_history(), text);
+  write_table(filtered, results.filtered_history());
 }
 
 } // namespace swarf

@@ -7,6 +7,7 @@ namespace swarf {
 std::string restart_text(const Deck& deck, const Scene& scene) {
   Deck physics = deck;
   physics.title.clear(), physics.picked.reset(), physics.windows.reset();
+  physics.mechanistic.reset();
   physics.output = OutputDeck{};
   physics.output.force_scale = deck.output.force_scale; // of rows that are written already
   physics.run.accuracy.reset();

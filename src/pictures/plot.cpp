@@ -31,14 +31,40 @@ Axis horizontal_axis(const HistoryTable& history) {
   return axis;
 }
 
-HistoryTable load(const ResultsFolder& results) {
+HistoryTable load(const std::filesystem::path& file) {
   const std::string why_not = open_display();
   if (!why_not.empty()) throw ResultsError(why_not);
-  HistoryTable history = read_history(results.history());
+  HistoryTable history = read_history(file);
   if (history.rows() < 2)
-    throw ResultsError(fmt::format("{}: has {} samples, a curve needs two; let the run go on",
-                                   results.history().string(), history.rows()));
+    throw ResultsError(fmt::format("{}: has {} samples, a curve needs two; let the run go on", file.string(),
+                                   history.rows()));
   return history;
+}
+
+std::vector<Level> levels_of(const std::vector<LabelledForce>& published) {
+  std::vector<Level> levels;
+  for (const LabelledForce& force : published)
+    levels.push_back({fmt::format("{} ({} N)", force.label, force.force), force.force});
+  return levels;
+}
+
+std::vector<Curve> force_curves(const HistoryTable& table) {
+  return {{"F_x", table.at("force_x"), blue, 3},
+          {"F_y", table.at("force_y"), vermilion, 3},
+          {"F_z", table.at("force_z"), green, 3},
+          {"planar resultant", table.at("force_planar"), black, 5}};
+}
+
+// The model's resultant over the immersions that the run went through.
+Curve model_curve(const ResultsFolder& results, const Axis& axis, std::vector<double>& at) {
+  Curve curve{"mechanistic model", {}, purple, 4, vtkPen::DOT_LINE};
+  if (!std::filesystem::exists(results.mechanistic())) return curve;
+  const HistoryTable model = read_history(results.mechanistic());
+  const auto& angle = model.at("immersion");
+  for (std::size_t i = 0; i < angle.size(); ++i)
+    if (angle[i] >= axis.values.front() && angle[i] <= axis.values.back())
+      at.push_back(angle[i]), curve.values.push_back(model.at("force_planar")[i]);
+  return curve;
 }
 
 double largest_of(const std::vector<double>& values) {
@@ -52,21 +78,20 @@ double largest_of(const std::vector<double>& values) {
 
 void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
                  const std::vector<LabelledForce>& published, double filter_frequency) {
-  const HistoryTable history = load(results);
+  const HistoryTable history = load(results.history());
   const HistoryTable filtered = filter_history(history, filter_frequency);
   const Axis axis = horizontal_axis(history);
 
-  std::vector<Curve> thick{{"F_x", filtered.at("force_x"), blue, 3},
-                           {"F_y", filtered.at("force_y"), vermilion, 3},
-                           {"F_z", filtered.at("force_z"), green, 3},
-                           {"planar resultant", filtered.at("force_planar"), black, 5}};
+  std::vector<Curve> thick = force_curves(filtered);
   const auto& planar = filtered.at("force_planar");
   const bool is_planar = largest_of(planar) > 0.01 * largest_of(filtered.at("force_z"));
   if (!is_planar) thick.erase(thick.begin(), thick.begin() + 2), thick.pop_back(); // a blow along z
-  std::vector<Level> levels;
-  for (const LabelledForce& force : published)
-    levels.push_back({fmt::format("{} ({} N)", force.label, force.force), force.force});
-  const auto [least, most] = vertical_range(thick, levels);
+  const std::vector<Level> levels = levels_of(published);
+  std::vector<double> model_at;
+  const Curve model = model_curve(results, axis, model_at);
+  std::vector<Curve> all = thick;
+  if (model_at.size() > 1) all.push_back(model);
+  const auto [least, most] = vertical_range(all, levels);
 
   Chart chart("Force on the tool", axis.title, "Force [N]");
   chart.add(axis.values,
@@ -76,13 +101,31 @@ void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
     chart.add({axis.values.front(), axis.values.back()},
               {"", {level.value, level.value}, grey, 2.5, vtkPen::DASH_LINE});
   for (const Curve& curve : thick) chart.add(axis.values, curve);
+  if (model_at.size() > 1) chart.add(model_at, model);
+  chart.set_range(vtkAxis::LEFT, least, most);
+  chart.set_range(vtkAxis::BOTTOM, axis.values.front(), axis.values.back());
+  chart.write(png, levels);
+}
+
+void plot_mechanistic(const ResultsFolder& results, const std::filesystem::path& png,
+                      const std::vector<LabelledForce>& published) {
+  const HistoryTable model = load(results.mechanistic());
+  const Axis axis = horizontal_axis(model);
+  const std::vector<Curve> curves = force_curves(model);
+  const std::vector<Level> levels = levels_of(published);
+  const auto [least, most] = vertical_range(curves, levels);
+  Chart chart("Force on the tool, mechanistic model", axis.title, "Force [N]");
+  for (const Level& level : levels)
+    chart.add({axis.values.front(), axis.values.back()},
+              {"", {level.value, level.value}, grey, 2.5, vtkPen::DASH_LINE});
+  for (const Curve& curve : curves) chart.add(axis.values, curve);
   chart.set_range(vtkAxis::LEFT, least, most);
   chart.set_range(vtkAxis::BOTTOM, axis.values.front(), axis.values.back());
   chart.write(png, levels);
 }
 
 void plot_energies(const ResultsFolder& results, const std::filesystem::path& png) {
-  const HistoryTable history = load(results);
+  const HistoryTable history = load(results.history());
   const Axis axis = horizontal_axis(history);
   const std::vector<std::pair<const char*, Colour>> terms{
       {"plastic_work", vermilion}, {"friction_work", orange},   {"elastic_energy", blue},

@@ -6,10 +6,15 @@
 namespace swarf {
 
 // Forces on the tool against the immersion angle (against time for scenes without a spindle): raw thin and
-// pale, filtered thick; the published values as labelled dashed lines. filter_frequency as in the deck. Needs
-// a Display. Throws ResultsError if the history has fewer than two samples.
+// pale, filtered thick; the published values as labelled dashed lines, the mechanistic model, if there is
+// one, dotted. filter_frequency as in the deck. Needs a Display. Throws ResultsError if the history has fewer
+// than two samples.
 void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
                  const std::vector<LabelledForce>& published, double filter_frequency);
+
+// The mechanistic model's forces alone, from mechanistic.csv.
+void plot_mechanistic(const ResultsFolder& results, const std::filesystem::path& png,
+                      const std::vector<LabelledForce>& published);
 
 // The energy ledger over the same axis: where the external work went, and the residual.
 void plot_energies(const ResultsFolder& results, const std::filesystem::path& png);
