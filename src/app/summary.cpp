@@ -156,6 +156,7 @@ void write_summary(const RunFacts& run, double seconds) {
   Json summary;
   summary.set("title", deck.title).set("ended", ending.how).set("why", ending.why);
   summary.set("warnings", fmt::format("{}", fmt::join(watch.warnings(), "; "))).set("version", SWARF_VERSION);
+  summary.set("commit", SWARF_COMMIT); // "" outside of git
   if (deck.picked) {
     Json pick;
     pick.set("asked_percent", deck.picked->asked).set("why", deck.picked->why);

@@ -103,7 +103,7 @@ def thin_out(run, budget):
     every = 1
     while of_frame(every) * len(frames) / skip > budget and every < max(1, particles // 20000):
         every += 1
-    while of_frame(every) * len(frames) / skip > budget and skip < len(frames):
+    while of_frame(every) * len(frames) / skip > budget and len(frames) / skip > 8:
         skip += 1
     while of_frame(every) * len(frames) / skip > budget and every < max(particles, 1):
         every += 1
@@ -134,7 +134,7 @@ def pack_scene(run, name, budget):
     spacing = UM * float(first["volume"].mean())**(1 / 3) if first is not None and "volume" in first else 1.0
     scene = {"id": name, "frames": listed, "tool": None if tool is None else pack.numbers(tool), "fields": ranges,
              **camera(run, reach, listed, spacing)}
-    thinned = ([f"every {every}th particle"] if every > 1 else []) + ([f"every {skip}th frame"] if skip > 1 else [])
+    thinned = ([f"one particle in {every}"] if every > 1 else []) + ([f"one frame in {skip}"] if skip > 1 else [])
     scene["note"] = f"{len(chosen)} frames" + (f"; shown: {', '.join(thinned)}" if thinned else ", all particles")
     if every > 1:
         scene["radius"] *= every**(1 / 3)
@@ -165,4 +165,4 @@ def camera(run, reach, listed, spacing):
         low, high = (numpy.array(end(one[key] for one in box)) for end, key in ((min, "low"), (max, "high")))
     size = float(numpy.linalg.norm(high - low))
     return {"focus": [float(v) for v in (low + high) / 2], "view": view.tolist(), "up": up.tolist(), "distance": 3 * size,
-            "scale": 0.36 * size, "radius": 0.55 * spacing}
+            "scale": 0.36 * size, "radius": 0.62 * spacing}

@@ -267,6 +267,16 @@ def cite_section(runs):
     return "".join(lines)
 
 
+def short_name(run):
+    return run.folder.resolve().name
+
+
+def title_of(run):
+    if (run.folder / "deck.toml").exists():
+        return run.deck.get("title", short_name(run))
+    return run.joined.get("title", short_name(run)) if (run.folder / "windows.json").exists() else short_name(run)
+
+
 def make(folders, title=None):
     """The page of these folders of runs, passes in windows or studies."""
     everything = [results.read(folder) for folder in folders]
@@ -274,7 +284,7 @@ def make(folders, title=None):
     for run in everything:
         if run not in runs and not (run.folder / "windows.csv").exists() and not (run.folder / "study.csv").exists():
             raise ValueError(f"{run.folder}: holds no results: no history.csv, windows.csv or study.csv")
-    names = [run.folder.resolve().name for run in runs]
+    names = [short_name(run) for run in runs]
     if len(set(names)) < len(names):
         names = [str(run.folder) for run in runs]
     charts, scenes, sections = [], [], []
@@ -288,14 +298,14 @@ def make(folders, title=None):
             if scene:
                 scene[0]["summary"] = "Three-dimensional view of particles, hexes and tool. Arrow keys turn it."
                 scenes.append(scene[0])
-            heading = run.deck.get("title", "run") if len(runs) == 1 else f"{names[runs.index(run)]}: " \
-                f"{run.deck.get('title', '')}"
+            heading = "Results" if len(everything) == 1 else f"{names[runs.index(run)]}: {run.deck.get('title', '')}"
             sections.append((name, heading, run_section(run, name, scene, charts)))
         elif (run.folder / "study.csv").exists():
-            sections.append((name, f"Study {run.folder.resolve().name}", study_section(run.folder, name)))
+            sections.append((name, f"Study {short_name(run)}", study_section(run.folder, name)))
         else:
             sections.append((name, run.joined.get("title", "windows"), windows_section(run, name, charts)))
-    title = title or (sections[0][1] if len(everything) == 1 else f"Comparison of {', '.join(names)}")
+    if not title:
+        title = title_of(everything[0]) if len(everything) == 1 else f"Comparison of {', '.join(map(short_name, everything))}"
     sections.append(("cite", "How to cite", cite_section(runs)))
     data = json.dumps({"charts": charts, "scenes": scenes}, separators=(",", ":")).replace("<", "\\u003c")
     body = "\n".join(f'<section aria-labelledby="{key}-heading"><h2 id="{key}-heading">{escape(heading)}</h2>{content}'

@@ -1,5 +1,6 @@
 // Particles, hexes and tool of each frame in a view that turns, by vtk.js; colours by a field, a slider over time.
 import "@kitware/vtk.js/Rendering/Profiles/Geometry.js";
+import "@kitware/vtk.js/Rendering/Profiles/Molecule.js"; // the spheres
 import vtkActor from "@kitware/vtk.js/Rendering/Core/Actor.js";
 import vtkColorTransferFunction from "@kitware/vtk.js/Rendering/Core/ColorTransferFunction.js";
 import vtkDataArray from "@kitware/vtk.js/Common/Core/DataArray.js";
