@@ -65,7 +65,7 @@ double chip_by_sampling(const ToolDeck& tool, int tooth, double angle) {
     const int k = ((tooth - before) % tool.flutes + tool.flutes) % tool.flutes;
     const double about = now - before * pitch;
     double last_cross = 0, last_reach = 0;
-    const int steps = 40001;
+    const int steps = 80001; // two feeds are 0.05 rad at the edge
     for (int i = 0; i < steps; ++i) {
       const double then = about + (i - steps / 2) * 2e-6;
       tip(k, then, x, y);
@@ -76,7 +76,7 @@ double chip_by_sampling(const ToolDeck& tool, int tooth, double angle) {
       last_cross = cross, last_reach = along;
     }
   }
-  return radius - reach;
+  return std::max(0.0, radius - reach);
 }
 
 } // namespace
@@ -127,12 +127,13 @@ TEST(Mechanistic, runout_shares_the_feed_between_the_teeth) {
 }
 
 TEST(Mechanistic, work_of_the_torque_is_the_energy_of_the_cut) {
-  // One turn removes flutes x feed x diameter x depth (a slot); with K_tc alone the work is K_tc times that
-  // volume.
+  // One turn removes flutes x feed x diameter x depth of a slot; with K_tc alone the work is K_tc times that
+  // volume. Chip times radius counts a ring's area as that of a strip, which is more by chip / (2 R): pi / 8
+  // feed / R for a sine.
   const HistoryTable table = run_model(paper(), with(1000, 0, 0, 0));
   double work = 0;
   for (double at = 0; at < 360; at += 0.5) work += value_at(table, "torque", at) * 0.5 * degree;
-  EXPECT_NEAR(work / (1e9 * 2 * 10e-6 * 800e-6 * 100e-6), 1, 2e-3); // the chip is along the radius: f^2 / R^2
+  EXPECT_NEAR(work / (1e9 * 2 * 10e-6 * 800e-6 * 100e-6), 1 + std::numbers::pi / 8 * 10 / 400, 2e-4);
 }
 
 TEST(Mechanistic, thin_chips_wait_until_they_are_thick_enough) {
@@ -175,26 +176,32 @@ TEST(Identify, finds_the_coefficients_of_forces_with_noise_and_says_how_well) {
   const TemporaryFolder folder;
   MechanisticDeck known = with(1633, 152, 22.2, 41.0);
   known.K_ac = 300e6, known.K_ae = 2e3;
+  const Coefficients truth = coefficients_of(known);
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.05);
-  std::string text = "immersion [deg],feed_per_tooth [um],force_x [mN],force_y [N],force_z [N]\n";
+  std::vector<std::pair<double, HistoryTable>> exact;
   for (const double feed : {4.0, 8.0, 12.0}) {
     Deck deck = paper();
     deck.tool->feed_per_tooth = feed * um;
-    const HistoryTable table = run_model(deck, known);
-    for (double at = 10; at <= 170; at += 5)
-      text += fmt::format(
-          "{},{},{},{},{}\n", at, feed, 1e3 * (value_at(table, "force_x", at) + noise(random)),
-          value_at(table, "force_y", at) + noise(random), value_at(table, "force_z", at) + noise(random));
+    exact.emplace_back(feed, run_model(deck, known));
   }
-  const Identified found = identify_from_table(folder.write("forces.csv", text), paper(), slot());
-  EXPECT_EQ(found.points, 3 * 33 * 3);
-  EXPECT_NEAR(found.scatter, 0.05, 0.01);
-  const Coefficients truth = coefficients_of(known);
-  for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_LT(std::abs(found.value[k] - truth[k]), 4 * found.error[k]) << coefficient_names[k];
-    EXPECT_LT(found.error[k], 0.1 * std::abs(truth[k]) + 0.2e3) << coefficient_names[k];
+  int within = 0, draws = 20;
+  for (int draw = 0; draw < draws; ++draw) {
+    std::string text = "immersion [deg],feed_per_tooth [um],force_x [mN],force_y [N],force_z [N]\n";
+    for (const auto& [feed, table] : exact)
+      for (double at = 10; at <= 170; at += 10)
+        text += fmt::format(
+            "{},{},{},{},{}\n", at, feed, 1e3 * (value_at(table, "force_x", at) + noise(random)),
+            value_at(table, "force_y", at) + noise(random), value_at(table, "force_z", at) + noise(random));
+    const Identified found = identify_from_table(folder.write("forces.csv", text), paper(), slot());
+    EXPECT_EQ(found.points, 3 * 17 * 3);
+    EXPECT_NEAR(found.scatter, 0.05, 0.01); // 4 of its own standard errors
+    for (std::size_t k = 0; k < 6; ++k) {
+      EXPECT_LT(std::abs(found.value[k] - truth[k]), 4.5 * found.error[k]) << coefficient_names[k];
+      within += std::abs(found.value[k] - truth[k]) < found.error[k] ? 1 : 0;
+    }
   }
+  EXPECT_NEAR(within / (6.0 * draws), 0.68, 0.13); // three standard errors of that share
 }
 
 TEST(Identify, three_thicknesses_of_a_wedge_give_a_line) {
