@@ -124,6 +124,8 @@ int main(int argc, char** argv) {
   plot->add_option("results", folder, "results folder")->required();
   CLI::App* render = app.add_subcommand("render", "draw the chip pictures of a results folder again");
   render->add_option("results", folder, "results folder")->required();
+  bool film = false;
+  render->add_flag("--film", film, "all frames as a film, pictures/chip.mp4 (needs ffmpeg), instead");
 
   swarf::MechanisticOptions model;
   CLI::App* mechanistic =
@@ -153,6 +155,7 @@ int main(int argc, char** argv) {
     if (*plot || *render) {
       const swarf::FolderLock lock(existing(folder));
       if (*plot) return swarf::draw_plots(folder), 0;
+      if (film) return swarf::render_film(folder), 0;
       return swarf::render_strip(folder) ? 0 : 1;
     }
     model.pictures = !no_pictures;

@@ -25,8 +25,8 @@ MechanisticDeck fill_mechanistic(const toml::table& table, DeckReport& report) {
   read_keys(table, "mechanistic", mechanistic_keys(), model, report);
   if (report.count() == before && model.exit <= model.entry)
     report.add(find_place(table, "exit"), "mechanistic.exit",
-               fmt::format("expected more than entry = {:.6g} deg, got {:.6g} deg",
-                           model.entry * per_radian, model.exit * per_radian));
+               fmt::format("expected more than entry = {:.6g} deg, got {:.6g} deg", model.entry * per_radian,
+                           model.exit * per_radian));
   return model;
 }
 

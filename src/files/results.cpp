@@ -61,7 +61,7 @@ bool is_frame(const std::string& name) {
   return name.starts_with("frame_") && part && ends_in_number(name, 6);
 }
 bool is_picture(const std::string& name) {
-  return name == "force.png" || name == "energy.png" || name == "chip.png" ||
+  return name == "force.png" || name == "energy.png" || name == "chip.png" || name == "chip.mp4" ||
          (name.starts_with("chip_") && name.ends_with(".png") && ends_in_number(name, 5));
 }
 

@@ -111,7 +111,8 @@ Deck deck_of(const fs::path& folder) {
 void add_mill_run(Fit& fit, const fs::path& folder, const Deck& deck, MechanisticDeck model) {
   const PassFolder pass{folder};
   const bool is_windows = fs::exists(pass.table());
-  if (!model.helix) model.helix = deck.tool->helix; // as simulated, not as the real mill has it
+  if (deck.mechanistic) model = *deck.mechanistic;
+  model.helix = deck.tool->helix; // as simulated, not as the real mill has it
   const MillCut cut = find_cut(deck, model);
   const MillEdge edge(cut);
   if (is_windows) {

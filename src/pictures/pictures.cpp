@@ -18,12 +18,12 @@ void draw_windows(const std::string& results) {
 
 void draw_plots(const std::string& results) {
   const ResultsFolder any{results};
-  if (std::filesystem::exists(any.mechanistic()) && !std::filesystem::exists(any.history())) {
+  const bool has_windows = std::filesystem::exists(PassFolder{results}.table());
+  if (!has_windows && std::filesystem::exists(any.mechanistic()) && !std::filesystem::exists(any.history())) {
     make_folder(any.pictures());
     plot_mechanistic(any, any.pictures() / "mechanistic.png", {});
     return;
   }
-  const bool has_windows = std::filesystem::exists(PassFolder{results}.table());
   if (has_windows) draw_windows(results);
   if (has_windows && !std::filesystem::exists(ResultsFolder{results}.history())) return;
   const ResultsFolder folder = open_results(results);

@@ -55,18 +55,6 @@ std::vector<Curve> force_curves(const HistoryTable& table) {
           {"planar resultant", table.at("force_planar"), black, 5}};
 }
 
-// The model's resultant over the immersions that the run went through.
-Curve model_curve(const ResultsFolder& results, const Axis& axis, std::vector<double>& at) {
-  Curve curve{"mechanistic model", {}, purple, 4, vtkPen::DOT_LINE};
-  if (!std::filesystem::exists(results.mechanistic())) return curve;
-  const HistoryTable model = read_history(results.mechanistic());
-  const auto& angle = model.at("immersion");
-  for (std::size_t i = 0; i < angle.size(); ++i)
-    if (angle[i] >= axis.values.front() && angle[i] <= axis.values.back())
-      at.push_back(angle[i]), curve.values.push_back(model.at("force_planar")[i]);
-  return curve;
-}
-
 double largest_of(const std::vector<double>& values) {
   double largest = 0;
   for (const double v : values)
@@ -75,6 +63,17 @@ double largest_of(const std::vector<double>& values) {
 }
 
 } // namespace
+
+Curve read_model(const std::filesystem::path& csv, double from, double to, std::vector<double>& at) {
+  Curve curve{"mechanistic model", {}, purple, 4, vtkPen::DOT_LINE};
+  if (!std::filesystem::exists(csv)) return curve;
+  const HistoryTable model = read_history(csv);
+  const auto& angle = model.at("immersion");
+  for (std::size_t i = 0; i < angle.size(); ++i)
+    if (angle[i] >= from && angle[i] <= to)
+      at.push_back(angle[i]), curve.values.push_back(model.at("force_planar")[i]);
+  return curve;
+}
 
 void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
                  const std::vector<LabelledForce>& published, double filter_frequency) {
@@ -88,7 +87,7 @@ void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
   if (!is_planar) thick.erase(thick.begin(), thick.begin() + 2), thick.pop_back(); // a blow along z
   const std::vector<Level> levels = levels_of(published);
   std::vector<double> model_at;
-  const Curve model = model_curve(results, axis, model_at);
+  const Curve model = read_model(results.mechanistic(), axis.values.front(), axis.values.back(), model_at);
   std::vector<Curve> all = thick;
   if (model_at.size() > 1) all.push_back(model);
   const auto [least, most] = vertical_range(all, levels);

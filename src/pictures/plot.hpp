@@ -1,6 +1,7 @@
 // Curves of a run as PNG, from its history.
 #pragma once
 #include "src/deck/deck.hpp"
+#include "src/pictures/chart.hpp"
 #include "src/windows/join_windows.hpp"
 
 namespace swarf {
@@ -15,6 +16,10 @@ void plot_forces(const ResultsFolder& results, const std::filesystem::path& png,
 // The mechanistic model's forces alone, from mechanistic.csv.
 void plot_mechanistic(const ResultsFolder& results, const std::filesystem::path& png,
                       const std::vector<LabelledForce>& published);
+
+// The mechanistic model's resultant between two immersions, deg, which go to `at`; no values where there is
+// no model.
+Curve read_model(const std::filesystem::path& csv, double from, double to, std::vector<double>& at);
 
 // The energy ledger over the same axis: where the external work went, and the residual.
 void plot_energies(const ResultsFolder& results, const std::filesystem::path& png);

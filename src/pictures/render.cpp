@@ -19,6 +19,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace swarf {
 namespace fs = std::filesystem;
@@ -154,22 +157,40 @@ std::vector<FrameEntry> choose_frames(const std::vector<FrameEntry>& frames,
   return out;
 }
 
-void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& entries,
-                 const PictureOptions& options, const fs::path& png) {
+namespace {
+
+// What pictures of the same frames share.
+struct Look {
+  ShownField field;
+  Camera camera;
+  int labels;
+  vtkNew<vtkLookupTable> colours;
+};
+
+std::vector<LoadedFrame> load_frames(const ResultsFolder& results, const std::vector<FrameEntry>& entries,
+                                     const ShownField& field) {
   if (const std::string why_not = open_display(); !why_not.empty()) throw ResultsError(why_not);
-  const ShownField field = describe_field(options.field);
   std::vector<LoadedFrame> frames;
   for (const FrameEntry& entry : entries)
     if (entry.particles || entry.hexes) frames.push_back(load_frame(results, entry, field));
   if (frames.empty())
     throw ResultsError(results.path.string() + ": has no frames to draw; set output.frame_time or "
                                                "output.frame_immersion in the deck and run it again");
-  const Camera camera = aim_camera(options, frames);
+  return frames;
+}
+
+Look find_look(const std::vector<LoadedFrame>& frames, const ShownField& field,
+               const PictureOptions& options) {
   ColourRange range = find_range(frames);
   const int labels = count_labels(range);
-  const auto colours = make_colours(range.least, range.most);
+  return {field, aim_camera(options, frames), labels, make_colours(range.least, range.most)};
+}
 
-  const int n = int(frames.size()), columns = n <= 4 || n * camera.width <= 2600 ? n : (n + 1) / 2;
+// Views of frames first to last, side by side.
+void draw_views(const std::vector<LoadedFrame>& frames, std::size_t first, std::size_t last, const Look& look,
+                const fs::path& png) {
+  const Camera& camera = look.camera;
+  const int n = int(last - first) + 1, columns = n <= 4 || n * camera.width <= 2600 ? n : (n + 1) / 2;
   const int rows = (n + columns - 1) / columns;
   // Room for the scale and colour bars even where one narrow view stands alone.
   const int views_width = columns * camera.width, width = std::max(views_width, 800);
@@ -182,20 +203,69 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
   paper->SetBackground(1, 1, 1);
   window->AddRenderer(paper);
   for (int k = 0; k < n; ++k) {
-    const auto view =
-        make_view(frames[std::size_t(k)], camera, find_focus(camera, frames, std::size_t(k)), colours);
+    const std::size_t at = first + std::size_t(k);
+    const auto view = make_view(frames[at], camera, find_focus(camera, frames, at), look.colours);
     const double left = k % columns * camera.width + (width - views_width) / 2.0;
     const double bottom = height - (k / columns + 1.0) * camera.height, gap = 3; // white, between views
     view->SetViewport((left + gap) / width, (bottom + gap) / height, (left + camera.width - gap) / width,
                       (bottom + camera.height - gap) / height);
-    add_text(view, frame_label(frames[std::size_t(k)].entry), 30, 20, camera.height - 50);
+    add_text(view, frame_label(frames[at].entry), 30, 20, camera.height - 50);
     window->AddRenderer(view);
   }
-  const auto bar = make_colour_bar(colours, field.title, labels, width);
+  const auto bar = make_colour_bar(look.colours, look.field.title, look.labels, width);
   add_scale_bar(bar, camera);
   bar->SetViewport(0, 0, 1, double(bar_height) / height);
   window->AddRenderer(bar);
   write_png(window, png);
+}
+
+PictureOptions options_of(const Deck& deck) {
+  return {deck.output.picture_field, deck.output.picture_view, 0};
+}
+
+// Debian's ffmpeg, from numbered pictures; "" or what went wrong.
+std::string make_film(const fs::path& pictures, int per_second, const fs::path& film) {
+  const std::string rate = std::to_string(per_second), pattern = (pictures / "%04d.png").string();
+  std::vector<std::string> words{
+      "ffmpeg",     "-y",         "-loglevel", "error",   "-framerate",
+      rate,         "-i",         pattern,     "-vf",     "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+      "-c:v",       "libx264",    "-pix_fmt",  "yuv420p", "-movflags",
+      "+faststart", film.string()};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawnp(&child, "ffmpeg", nullptr, nullptr, arguments.data(), environ) != 0)
+    return "there is no ffmpeg; install it (Debian: ffmpeg)";
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || status != 0) return "ffmpeg could not make it, see above";
+  return "";
+}
+
+} // namespace
+
+void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& entries,
+                 const PictureOptions& options, const fs::path& png) {
+  const ShownField field = describe_field(options.field);
+  const std::vector<LoadedFrame> frames = load_frames(results, entries, field);
+  draw_views(frames, 0, frames.size() - 1, find_look(frames, field, options), png);
+}
+
+void render_film(const std::string& results_folder) {
+  const ResultsFolder results = open_results(results_folder);
+  const PictureOptions options = options_of(read_deck(results.deck().string(), results.tool().string()));
+  const ShownField field = describe_field(options.field);
+  const std::vector<LoadedFrame> frames = load_frames(results, read_frame_list(results), field);
+  const Look look = find_look(frames, field, options);
+  const fs::path single = results.pictures() / "film", film = results.pictures() / "chip.mp4";
+  make_folder(single);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    draw_views(frames, k, k, look, single / fmt::format("{:04d}.png", k));
+  const int per_second = std::clamp(int(frames.size()) / 8, 4, 25); // about eight seconds
+  const std::string why_not = make_film(single, per_second, film);
+  fs::remove_all(single);
+  if (!why_not.empty()) throw ResultsError(fmt::format("{}: no film: {}", film.string(), why_not));
+  say("film: {}, {} frames, {} a second\n", film.string(), frames.size(), per_second);
 }
 
 bool render_strip(const std::string& results_folder) {
@@ -209,7 +279,7 @@ bool render_strip(const std::string& results_folder) {
   std::vector<double> angles = deck.output.picture_immersion;
   for (double& angle : angles) angle *= 180 / M_PI;
   const auto chosen = choose_frames(read_frame_list(results), angles, deck.output.picture_time);
-  const PictureOptions options{deck.output.picture_field, deck.output.picture_view, 0};
+  const PictureOptions options = options_of(deck);
   draw_frames(results, chosen, options, results.pictures() / "chip.png");
   for (const FrameEntry& entry : chosen)
     if (entry.particles || entry.hexes)

@@ -28,4 +28,7 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& fr
 // folder says. Without a display it says so on stderr and returns false: a long run must not die of it.
 bool render_strip(const std::string& results_folder);
 
+// pictures/chip.mp4 of all frames, with one scale, by ffmpeg. Throws ResultsError.
+void render_film(const std::string& results_folder);
+
 } // namespace swarf
