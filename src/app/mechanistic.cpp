@@ -24,6 +24,12 @@ void show_coefficients(const Identified& found) {
     else
       say("  {} is not told by these forces: 0\n", coefficient_names[k]);
   }
+  for (std::size_t k = 0; k < 6; ++k)
+    if (found.is_found[k] && found.error[k] > 0.5 * std::abs(found.value[k]))
+      return complain("warning: {} is known to {:.0f} % only: the chips are too much alike. Give forces at "
+                      "three feeds or "
+                      "thicknesses, or over more of the immersion.",
+                      coefficient_names[k], 100 * found.error[k] / std::abs(found.value[k]));
 }
 
 MechanisticDeck choose_coefficients(const Deck& deck, const MechanisticOptions& options) {
