@@ -13,7 +13,7 @@ void bench_gather_heat(benchmark::State& state) {
   const TiedCube& c = tied_cube(state.range(0));
   for (auto _ : state) {
     gather_heat(c.tie, c.particles, c.hexes, c.materials);
-    spread_temperature(c.tie, c.particles, c.hexes);
+    spread_temperature(c.tie, c.particles, c.hexes, c.materials);
   }
   const double reals = 29 + 9 * c.hosts() + 4 * c.nodes(), indices = 11 + 16 * c.hosts() + 3 * c.nodes();
   report(state, c.count(),

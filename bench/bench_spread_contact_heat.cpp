@@ -11,7 +11,7 @@ void bench_spread_contact_heat(benchmark::State& state) {
   const TiedCube& c = tied_cube(state.range(0));
   HexMesh hexes = c.hexes;
   hexes.contact_heat = ScalarField("contact_heat", std::size_t(hexes.nodes));
-  for (auto _ : state) spread_contact_heat(c.tie, c.particles, hexes, {});
+  for (auto _ : state) spread_contact_heat(c.tie, c.particles, hexes, {}, c.materials);
   const double per_hex = 1 / c.hosts(), nodes = c.nodes() / c.hosts();
   report(state, c.hexes.points.count,
          {9 + 16 * per_hex + 2 * nodes,

@@ -27,7 +27,7 @@ function(switch_on file from to)
 endfunction()
 
 get_target_property(kokkos_include Kokkos::kokkos INTERFACE_INCLUDE_DIRECTORIES)
-set(headers ${CMAKE_BINARY_DIR}/cuda_check/kokkos)
+set(headers ${PROJECT_BINARY_DIR}/cuda_check/kokkos)
 if(NOT EXISTS ${headers}/.switched-${Kokkos_VERSION})
   file(REMOVE_RECURSE ${headers})
   file(COPY ${kokkos_include}/ DESTINATION ${headers})
@@ -44,18 +44,23 @@ if(NOT EXISTS ${headers}/.switched-${Kokkos_VERSION})
   file(TOUCH ${headers}/.switched-${Kokkos_VERSION})
 endif()
 
-# Build rules with dependencies, so that a second run compiles only what changed.
+# Build rules with dependencies, so that a second run compiles only what changed. Kokkos' headers cost nvcc far more than
+# a kernel does, so kernels are compiled in groups.
+group_files(group 12 ${kernel_sources})
 set(objects "")
-foreach(source IN LISTS kernel_sources)
-  cmake_path(GET source STEM name)
-  set(object ${CMAKE_BINARY_DIR}/cuda_check/${name}.o)
+foreach(number IN LISTS group)
+  set(source ${PROJECT_BINARY_DIR}/cuda_check/group_${number}.cpp)
+  list(TRANSFORM group_${number} REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE text)
+  string(JOIN "" text ${text})
+  file(CONFIGURE OUTPUT ${source} CONTENT "${text}" @ONLY) # writes it only if it changes
+  set(object ${PROJECT_BINARY_DIR}/cuda_check/group_${number}.o)
   add_custom_command(OUTPUT ${object}
     COMMAND ${NVCC} -std=c++20 -arch=sm_90 -ccbin ${CMAKE_CXX_COMPILER} -O1 -x cu --extended-lambda
             --expt-relaxed-constexpr -Xcompiler -fopenmp -Xcudafe --diag_suppress=20208
-            -isystem ${headers} -I${CMAKE_SOURCE_DIR}/include -MD -MF ${object}.d -c ${source} -o ${object}
+            -isystem ${headers} -I${PROJECT_SOURCE_DIR}/include -MD -MF ${object}.d -c ${source} -o ${object}
     DEPENDS ${source} DEPFILE ${object}.d
-    COMMENT "nvcc sm_90: ${name}.cpp" VERBATIM)
+    COMMENT "nvcc sm_90: kernels, group ${number}" VERBATIM)
   list(APPEND objects ${object})
 endforeach()
 add_custom_target(cuda_objects DEPENDS ${objects})
-add_check(cuda_compile_check cuda ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target cuda_objects --parallel 2)
+add_check(cuda_compile_check cuda ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target cuda_objects --parallel 2)

@@ -24,6 +24,10 @@ if(NOT SWARF_PORTABLE)
   endif()
 endif()
 
+if(SWARF_ONE_LANE)
+  target_compile_definitions(swarf_flags INTERFACE SWARF_ONE_LANE)
+endif()
+
 if(SWARF_FLOAT)
   target_compile_definitions(swarf_flags INTERFACE SWARF_FLOAT)
   # A wave's first foot is below 1e-38 in float: subnormal, which a CPU computes many times slower. At the link

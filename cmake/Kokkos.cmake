@@ -44,9 +44,12 @@ target_link_libraries(swarf_kokkos INTERFACE Kokkos::kokkos)
 set(runtime "${SWARF_PREFIX}/runtime")
 cmake_path(IS_PREFIX SWARF_PREFIX "${Kokkos_DIR}" NORMALIZE kokkos_is_private)
 if(kokkos_is_private AND EXISTS "${runtime}/loader")
+  set(SWARF_PRIVATE_RUNTIME ${runtime})
+  # A target with the property SWARF_PACKED looks for them where the Debian package puts them (Pack.cmake).
+  set(home $<IF:$<BOOL:$<TARGET_PROPERTY:SWARF_PACKED>>,/usr/lib/swarf,${runtime}>)
   target_link_options(swarf_kokkos INTERFACE
-    LINKER:--disable-new-dtags,-rpath,${runtime}
+    LINKER:--disable-new-dtags,-rpath,${home}
     LINKER:--allow-shlib-undefined
-    LINKER:--dynamic-linker,${runtime}/loader)
+    LINKER:--dynamic-linker,${home}/loader)
   install(CODE "message(STATUS \"The installed swarf stays bound to the private Kokkos in ${SWARF_PREFIX}: keep it\")")
 endif()

@@ -17,7 +17,7 @@ void prepare_heat_state(const Particles& p, const MaterialTable& materials) {
   Kokkos::parallel_for(
       "prepare_heat_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
         p.heat_state(i, 0) = points.temperature(i);
-        p.heat_state(i, 1) = materials(points.material(i)).conductivity;
+        p.heat_state(i, 1) = conductivity_at(materials(points.material(i)), points.temperature(i));
       });
 }
 
@@ -58,7 +58,8 @@ void conduct_heat(const Particles& p, const Neighbors& n, const ImagePlanes& pla
           const int i = lanes.first + lane;
           p.heat(i) = dt * p.volume(i) * lane_of(sum, lane);
           if (i < count)
-            points.temperature(i) += p.heat(i) / heat_capacity(materials(points.material(i)), points.mass(i));
+            points.temperature(i) =
+                warmed_by(materials(points.material(i)), points.mass(i), points.temperature(i), p.heat(i));
         }
       });
 }

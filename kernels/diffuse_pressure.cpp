@@ -9,6 +9,7 @@
 // pair_stress, volume, inverse_support, impedance; writes stress and density; moves the elastic energy that
 // is lost from internal_work to hourglass_work.
 #include "copy_to_images.hpp"
+#include "swarf/material/thermal.hpp"
 #include "swarf/particles/pair.hpp"
 
 namespace swarf {
@@ -89,7 +90,8 @@ void diffuse_pressure(const Particles& p, const Neighbors& n, const ImagePlanes&
           const int i = lanes.first + lane;
           const Real change = set.coefficient * set.time * lane_of(sum, lane),
                      before = p.pressure_state(i, 0);
-          const Real bulk_modulus = materials(points.material(i)).bulk_modulus;
+          const Material& mat = materials(points.material(i));
+          const Real bulk_modulus = stiffness_share(mat, points.temperature(i)) * mat.bulk_modulus;
           for (int d = 0; d < 3; ++d) points.stress(i, d) -= change;
           if (set.density && points.damage(i) < Real(1))
             points.density(i) *= Kokkos::exp(change / bulk_modulus);

@@ -24,8 +24,8 @@ void take_own_heat(const Tie& tie, const Particles& p, const HexMesh& m, const M
       "take_own_heat", Range(0, tie.count), KOKKOS_LAMBDA(int k) {
         const int i = tie.row(k);
         const Real conducted = i < awake ? p.heat(i) : Real(0);
-        p.heat(i) = conducted + heat_capacity(materials(points.material(i)), points.mass(i)) *
-                                    (points.temperature(i) - host_temperature(tie, m, k));
+        p.heat(i) = conducted + heat_between(materials(points.material(i)), points.mass(i),
+                                             host_temperature(tie, m, k), points.temperature(i));
       });
 }
 
@@ -57,10 +57,12 @@ void gather_heat(const Tie& tie, const Particles& p, const HexMesh& m, const Mat
   gather_tied(tie, p, m);
 }
 
-void spread_temperature(const Tie& tie, const Particles& p, const HexMesh& m) {
+void spread_temperature(const Tie& tie, const Particles& p, const HexMesh& m,
+                        const MaterialTable& materials) {
   Kokkos::parallel_for(
-      "warm_nodes", Range(0, m.nodes),
-      KOKKOS_LAMBDA(int a) { m.nodal_temperature(a) += m.nodal_heat(a) / m.heat_capacity(a); });
+      "warm_nodes", Range(0, m.nodes), KOKKOS_LAMBDA(int a) {
+        m.nodal_temperature(a) = node_warmed_by(m, materials, a, m.nodal_temperature(a), m.nodal_heat(a));
+      });
   Kokkos::parallel_for(
       "spread_temperature", Range(0, m.points.count), KOKKOS_LAMBDA(int e) {
         Real sum = 0;

@@ -5,8 +5,9 @@ namespace swarf {
 
 // Heat that each hex brings to its corners in dt: conduction (conducted_heat in heat.hpp) of the share of its
 // volume that tied particles leave, and an eighth of what has heated the hex since the last call, m c (T_e -
-// mean of T_a). Reads nodal_temperature, gradient, volume, share, position, mass and temperature of the hex;
-// writes corner_heat (0 for deleted hexes; sleeping ones conduct nothing).
+// mean of T_a). The conductivity is that of the mean, the mean over a straight line of temperature. Reads
+// nodal_temperature, gradient, volume, share, position, mass and temperature of the hex; writes corner_heat
+// (0 for deleted hexes; sleeping ones conduct nothing).
 void hex_heat(const HexMesh& m, const MaterialTable& materials, Real dt) {
   Kokkos::parallel_for(
       "hex_heat", Range(0, m.points.count), KOKKOS_LAMBDA(const int e) {
@@ -22,8 +23,8 @@ void hex_heat(const HexMesh& m, const MaterialTable& materials, Real dt) {
             const HexModes x = project_modes(load_corners(m.position, m.connectivity, e));
             heat = conducted_heat(T, load_gradient(m.gradient, e), x, m.volume(e));
           }
-          const Real own = heat_capacity(mat, m.points.mass(e)) * (m.points.temperature(e) - mean);
-          const Real scale = dt * m.share(e) * mat.conductivity;
+          const Real own = heat_between(mat, m.points.mass(e), mean, m.points.temperature(e));
+          const Real scale = dt * m.share(e) * conductivity_at(mat, mean);
           for (int a = 0; a < 8; ++a) heat.at[a] = scale * heat.at[a] + Real(0.125) * own;
         }
         for (int a = 0; a < 8; ++a) m.corner_heat(e, a) = heat.at[a];

@@ -25,10 +25,12 @@ void prepare_pair_state(const Particles& p, const MaterialTable& materials, cons
         const Symmetric3 D = symmetric_part(load_tensor(points.velocity_gradient, i));
         store_tensor(points.velocity_gradient, i, to_tensor(D));
         const Real density = points.density(i) * mass_factor;
-        const Real speed = longitudinal_wave_speed(materials(points.material(i))) / Kokkos::sqrt(mass_factor);
+        const Real stiffness = stiffness_share(materials(points.material(i)), points.temperature(i));
+        const Real speed = Kokkos::sqrt(stiffness) * longitudinal_wave_speed(materials(points.material(i))) /
+                           Kokkos::sqrt(mass_factor);
         p.impedance(i, 0) = density * speed;
         p.impedance(i, 1) = density;
-        p.impedance(i, 2) = materials(points.material(i)).shear_modulus;
+        p.impedance(i, 2) = stiffness * materials(points.material(i)).shear_modulus;
         if (initial) // of a deformation that has flowed, the secant modulus
           p.impedance(i, 2) *= points.damage(i) < Real(1) ? share_kept(materials(points.material(i)), stress,
                                                                        points.equivalent_plastic_strain(i))

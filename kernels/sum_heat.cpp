@@ -9,7 +9,7 @@ namespace swarf {
 namespace {
 
 KOKKOS_INLINE_FUNCTION Real above(const MaterialPoints& p, int i, const Material& mat, Real reference) {
-  return heat_capacity(mat, p.mass(i)) * (p.temperature(i) - reference);
+  return heat_between(mat, p.mass(i), reference, p.temperature(i));
 }
 
 KOKKOS_INLINE_FUNCTION Real mean_of_nodes(const HexMesh& m, int e) {
@@ -21,18 +21,21 @@ KOKKOS_INLINE_FUNCTION Real mean_of_nodes(const HexMesh& m, int e) {
 } // namespace
 
 HeatSums sum_heat(const Particles& p, const MaterialTable& materials, Real reference) {
-  const bool brings = p.heat_to_tool.extent(0) > 0, nodes_hold = p.heat.extent(0) > 0;
+  const bool brings = p.heat_to_tool.extent(0) > 0, nodes_hold = p.heat.extent(0) > 0,
+             has_faces = p.face_heat.extent(0) > 0;
   return block_sum<HeatSums>(
       "sum_heat_of_particles", p.stored, KOKKOS_LAMBDA(int i, HeatSums& s) {
         const Material& mat = materials(p.points.material(i));
         if (!nodes_hold || p.identity(i) < p.whole) s.work += above(p.points, i, mat, reference);
         s.plastic += mat.taylor_quinney * p.points.plastic_work(i);
         if (brings) s.tool += p.heat_to_tool(i);
+        if (has_faces) s.out -= p.face_heat(i);
       });
 }
 
 HeatSums sum_heat(const HexMesh& m, const MaterialTable& materials, Real reference) {
-  const bool brings = m.heat_to_tool.extent(0) > 0, nodes_hold = m.nodal_temperature.extent(0) > 0;
+  const bool brings = m.heat_to_tool.extent(0) > 0, nodes_hold = m.nodal_temperature.extent(0) > 0,
+             has_faces = m.face_heat.extent(0) > 0;
   HeatSums sums = block_sum<HeatSums>(
       "sum_heat_of_hexes", m.points.count, KOKKOS_LAMBDA(int e, HeatSums& s) {
         const Material& mat = materials(m.points.material(e));
@@ -42,9 +45,10 @@ HeatSums sum_heat(const HexMesh& m, const MaterialTable& materials, Real referen
   sums.add(block_sum<HeatSums>(
       "sum_heat_of_nodes", m.nodes, KOKKOS_LAMBDA(int a, HeatSums& s) {
         if (nodes_hold && m.mass(a) > 0) // else its hexes have become particles
-          s.work += m.heat_capacity(a) * (m.nodal_temperature(a) - reference);
+          s.work += node_heat_between(m, materials, a, reference, m.nodal_temperature(a));
         s.work += m.contact_heat(a);
         if (brings) s.tool += m.heat_to_tool(a);
+        if (has_faces) s.out -= m.face_heat(a);
       }));
   return sums;
 }

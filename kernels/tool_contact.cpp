@@ -5,9 +5,10 @@
 // against the moving surface at the point itself, so that a point that moves with the tool does not slip. No
 // friction is more than the shear that the material at the point carries. Friction heat: a share of it heats
 // the point, dT = share W / (m c), m without mass scaling; where the tool conducts it divides by itself
-// (heat_into_tool). Reads position, velocity (half a step back), mass, gap, area, material; writes
-// contact_force, friction_force, contact_energy, tool_cell; adds to force, friction_work, temperature or
-// heat, heat_to_tool.
+// (heat_into_tool). What it does to the tool's surface is summed over the time (tool_surface.hpp). Reads
+// position, velocity (half a step back), mass, gap, area, material; writes contact_force, friction_force,
+// contact_energy, tool_cell, tool_patch; adds to force, friction_work, temperature or heat, heat_to_tool,
+// on_tool.
 #include "swarf/kernels.hpp"
 #include "swarf/material/flow_law.hpp"
 #include "swarf/material/heat.hpp"
@@ -24,7 +25,7 @@ SWARF_FN void store_contact(const ContactPoints& points, int i, const ContactRes
   points.contact_energy(i) = response.energy;
 }
 
-// N/m; a node lies on the surface itself.
+// N/m; of a node, which lies on the surface itself, without bound.
 SWARF_FN Real stiffness_of_half_particle(const ContactPoints& points, int i, const Material& mat) {
   const Real c = longitudinal_wave_speed(mat);
   return mat.density * c * c * points.area(i) / points.gap(i);
@@ -43,12 +44,66 @@ SWARF_FN HeatContact heat_contact(const ContactPoints& points, int i, const Tool
   const Real area = points.area(i), half_interface = Real(0.5) * law.heat_resistance;
   const int cell = points.tool_cell(i);
   HeatContact at;
-  at.work_capacity = is_node ? points.heat_capacity(i) : heat_capacity(mat, points.mass(i));
-  at.work_temperature = points.temperature(i) + (is_node ? points.heat(i) / at.work_capacity : Real(0));
+  const Real T = points.temperature(i);
+  at.work_capacity = (is_node ? points.heat_capacity(i) : heat_capacity(mat, points.mass(i))) *
+                     (specific_heat_at(mat, T) / mat.specific_heat);
+  at.work_temperature = T + (is_node ? points.heat(i) / at.work_capacity : Real(0));
   at.tool_temperature = heat.temperature(cell);
-  at.work_resistance = (half_interface + (is_node ? Real(0) : points.gap(i) / mat.conductivity)) / area;
+  at.work_resistance =
+      (half_interface + (is_node ? Real(0) : points.gap(i) / conductivity_at(mat, T))) / area;
   at.tool_resistance = (half_interface + heat.depth(cell) / heat.conductivity) / area;
   return at;
+}
+
+struct HeatPath {
+  const ToolHeat& heat;
+  const ContactLaw& law;
+  const Material& mat;
+};
+struct MadeHeat {
+  Real made, dt; // J, by friction in this step; s, of contact
+};
+
+// To the point and to the tool. A point that has just parted leaves the work of its spring where it touched
+// last, in no time. Returns the temperature of the tool's side of the interface; 0 where it does not conduct.
+SWARF_FN Real give_heat(const ContactPoints& points, int i, const HeatPath& path, const MadeHeat& friction) {
+  const ToolHeat& heat = path.heat;
+  const bool is_node = points.heat.extent(0) > 0;
+  Real to_work = path.law.heat_to_workpiece * friction.made, temperature = 0;
+  if (heat.cells > 0) {
+    const Real to_tool =
+        heat_into_tool(heat_contact(points, i, heat, path.law, path.mat), friction.made, friction.dt);
+    const int cell = points.tool_cell(i);
+    if (friction.dt > Real(0))
+      temperature = heat.temperature(cell) +
+                    to_tool / friction.dt * heat.depth(cell) / (heat.conductivity * points.area(i));
+    points.heat_to_tool(i) += to_tool;
+    to_work = friction.made - to_tool;
+  }
+  if (is_node)
+    points.heat(i) += to_work;
+  else
+    points.temperature(i) = warmed_by(path.mat, points.mass(i), points.temperature(i), to_work);
+  return temperature;
+}
+
+SWARF_FN int patch_at(const Tool& tool, const ToolDistance& at) {
+  const Triangle t = load_facet(tool, at.facet);
+  return find_patch(tool.surface, at.facet, barycentric(t.a, t.b, t.c, at.point));
+}
+
+struct Rubbing {                              // of one point in one step
+  Real force, speed, dissipated, temperature; // N, normal; m/s; J; K of the tool's side, 0: it has none
+};
+
+SWARF_FN void add_to_surface(const ContactPoints& points, int i, const ToolSurface& s, const Rubbing& r,
+                             Real dt) {
+  const Real impulse = dt * r.force;
+  points.on_tool(i, sum_impulse) += impulse;
+  points.on_tool(i, sum_slide) += impulse * r.speed;
+  points.on_tool(i, sum_friction) += r.dissipated;
+  points.on_tool(i, sum_temperature) += impulse * r.temperature;
+  points.on_tool(i, sum_wear) += impulse * r.speed * wear_factor(s, r.temperature);
 }
 
 } // namespace
@@ -57,8 +112,9 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
                   const MaterialTable& materials, Real mass_factor, Real dt) {
   const ToolFrame frame = make_frame(pose);
   const bool flows = points.plastic_strain.extent(0) > 0, conducts = tool.heat.cells > 0;
-  const bool is_particle = points.material.extent(0) > 0; // nodes know none
+  const bool knows_material = points.material.extent(0) > 0; // nodes do where there are tables
   const bool is_node = points.heat.extent(0) > 0, heats = is_node || points.temperature.extent(0) > 0;
+  const bool shows = tool.surface.patches > 0 && points.on_tool.extent(0) > 0;
   Kokkos::parallel_for(
       "tool_contact", UnevenRange(0, points.count), KOKKOS_LAMBDA(const int i) {
         if (points.area(i) == 0) return;
@@ -79,7 +135,7 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
           step.shear_strength = shear_strength(materials(points.material(i)), points.plastic_strain(i),
                                                points.plastic_strain_rate(i), points.temperature(i));
         Real stiffness = contact_stiffness(law, mass_factor * points.mass(i), dt);
-        if (is_particle)
+        if (knows_material)
           stiffness =
               Kokkos::min(stiffness, stiffness_of_half_particle(points, i, materials(points.material(i))));
         const ContactResponse response = respond_to_contact(step, law, stiffness, points.area(i));
@@ -87,21 +143,19 @@ void tool_contact(const ContactPoints& points, const Tool& tool, const ToolPose&
         store_contact(points, i, response);
         store_vector(points.force, i, load_vector(points.force, i) + response.force);
         points.friction_work(i) += response.dissipated;
-        if (!heats) return;
-        const Material& mat = materials(is_node ? 0 : points.material(i)); // a node's is not asked
-        Real to_work = law.heat_to_workpiece * response.dissipated;
-        if (conducts) {
-          // A point that has just parted leaves the work of its spring where it touched last, in no time.
-          if (touches) points.tool_cell(i) = cell_below(tool.heat, at);
-          const Real to_tool = heat_into_tool(heat_contact(points, i, tool.heat, law, mat),
-                                              response.dissipated, touches ? dt : Real(0));
-          points.heat_to_tool(i) += to_tool;
-          to_work = response.dissipated - to_tool;
+        Rubbing rubbing{0, 0, response.dissipated, 0};
+        if (shows && touches) {
+          points.tool_patch(i) = patch_at(tool, at);
+          rubbing.force = dot(response.force, step.normal);
+          rubbing.speed = norm(step.slip - dot(step.slip, step.normal) * step.normal) / dt;
         }
-        if (is_node)
-          points.heat(i) += to_work;
-        else
-          points.temperature(i) += to_work / heat_capacity(mat, points.mass(i));
+        if (heats) {
+          if (touches && conducts) points.tool_cell(i) = cell_below(tool.heat, at);
+          const Material& mat = materials(knows_material ? points.material(i) : 0); // a node's: for tables
+          rubbing.temperature =
+              give_heat(points, i, {tool.heat, law, mat}, {response.dissipated, touches ? dt : Real(0)});
+        }
+        if (shows) add_to_surface(points, i, tool.surface, rubbing, dt);
       });
 }
 

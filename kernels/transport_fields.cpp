@@ -9,6 +9,7 @@
 // surface_normal, shifted_strain, the transported fields, internal_work and shifting_work.
 #include "block_sum.hpp"
 #include "swarf/kernels.hpp"
+#include "swarf/material/thermal.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/shifting.hpp"
 
@@ -232,7 +233,8 @@ Balance balance_changes(const Particles& p, const Neighbors& n, const MaterialTa
         if (i < 0) return;
         const Real mass = p.points.mass(i);
         for_each_transported(
-            p, Weigh{sums, changes, slot, mass, mass * materials(p.points.material(i)).specific_heat});
+            p, Weigh{sums, changes, slot, mass,
+                     mass * specific_heat_at(materials(p.points.material(i)), p.points.temperature(i))});
       });
 }
 
@@ -254,7 +256,17 @@ Tensor3 kept_directions(const ImagePlanes& planes) {
 }
 
 SWARF_FN Real stored_energy(const Particles& p, const Material& mat, int i) {
-  return elastic_energy(mat, load_symmetric(p.points.stress, i), p.points.mass(i) / p.points.density(i));
+  return elastic_energy(mat, load_symmetric(p.points.stress, i),
+                        p.points.mass(i) / p.points.density(i) /
+                            stiffness_share(mat, p.points.temperature(i)));
+}
+// The changes keep the sum of heat capacity times the change: of a specific heat that depends on temperature
+// so does the heat, as that of each particle is what its change says. The stress of the new place, which is
+// taken along, has met what the temperature there has met.
+SWARF_FN void settle_temperature(const MaterialPoints& p, const Material& mat, int i, Real before) {
+  if (mat.specific_heat_table.points > 0)
+    p.temperature(i) = warmed_by(mat, before, specific_heat_at(mat, before) * (p.temperature(i) - before));
+  if (p.stress_temperature.extent(0) > 0) p.stress_temperature(i) += p.temperature(i) - before;
 }
 SWARF_FN Real kinetic_energy(const Particles& p, Real mass_factor, int i) {
   const Vector3 v = load_vector(p.velocity, i);
@@ -282,9 +294,10 @@ void transport_fields(const Particles& p, const Neighbors& n, const ImagePlanes&
         if (dot(d, d) == 0) return;
         const Material& mat = materials(points.material(i));
         const Real kinetic = kinetic_energy(p, mass_factor, i), stored = stored_energy(p, mat, i),
-                   strain = points.equivalent_plastic_strain(i);
+                   strain = points.equivalent_plastic_strain(i), temperature = points.temperature(i);
         store_vector(p.position, i, load_vector(p.position, i) + d);
         for_each_transported(p, Apply{sums, changes, slot, i});
+        settle_temperature(points, mat, i, temperature);
         const Real gained = stored_energy(p, mat, i) - stored;
         points.internal_work(i) += gained;
         p.shifting_work(i) -= gained + kinetic_energy(p, mass_factor, i) - kinetic;

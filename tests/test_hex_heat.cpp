@@ -41,21 +41,22 @@ struct Untied {
 };
 
 template <class Function>
-void set_temperature(const HexMesh& m, Function&& T) {
+void set_temperature(const HotBlock& b, Function&& T) {
+  const HexMesh& m = b.mesh;
   const Untied untied;
   const auto x = host_copy(m.position);
   const auto field = Kokkos::create_mirror_view(m.nodal_temperature);
   for (int a = 0; a < m.nodes; ++a) field(a) = Real(T(x(a, 0), x(a, 1), x(a, 2)));
   Kokkos::deep_copy(m.nodal_temperature, field);
   Kokkos::deep_copy(m.nodal_heat, 0);
-  spread_temperature(untied.tie, untied.particles, m);
+  spread_temperature(untied.tie, untied.particles, m, b.materials);
 }
 
 void conduct(const HotBlock& b, Real dt) {
   const Untied untied;
   hex_heat(b.mesh, b.materials, dt);
   gather_heat(untied.tie, untied.particles, b.mesh, b.materials);
-  spread_temperature(untied.tie, untied.particles, b.mesh);
+  spread_temperature(untied.tie, untied.particles, b.mesh, b.materials);
 }
 
 } // namespace
@@ -63,7 +64,7 @@ void conduct(const HotBlock& b, Real dt) {
 TEST(HexHeat, LinearTemperatureIsSteadyInsideADistortedBlock) {
   const Cells n{4, 4, 4};
   const HotBlock b = make_hot_block(make_distorted_block(n, ti64(), 1e-5, 0.2));
-  set_temperature(b.mesh, [](double x, double y, double z) { return 1e6 * (3 * x - y + 2 * z); });
+  set_temperature(b, [](double x, double y, double z) { return 1e6 * (3 * x - y + 2 * z); });
   conduct(b, Real(1e-7));
   const auto heat = host_copy(b.mesh.nodal_heat);
   double at_surface = 0;
@@ -79,9 +80,8 @@ TEST(HexHeat, LinearTemperatureIsSteadyInsideADistortedBlock) {
 
 TEST(HexHeat, KeepsTheEnergyOfADistortedBlock) {
   const HotBlock b = make_hot_block(make_distorted_block({5, 4, 3}, ti64(), 1e-5, 0.2));
-  set_temperature(b.mesh, [](double x, double y, double z) {
-    return 300 + 100 * std::sin(1e6 * (4 * x + 7 * y + 9 * z));
-  });
+  set_temperature(
+      b, [](double x, double y, double z) { return 300 + 100 * std::sin(1e6 * (4 * x + 7 * y + 9 * z)); });
   const auto capacity = host_copy(b.mesh.heat_capacity);
   const auto energy = [&] {
     const auto T = host_copy(b.mesh.nodal_temperature);
@@ -104,7 +104,7 @@ TEST(HexHeat, KeepsTheEnergyOfADistortedBlock) {
 // less.
 TEST(HexHeat, TakesTheHeatOfTheHexes) {
   const HotBlock b = make_hot_block(make_distorted_block({3, 3, 3}, ti64(), 1e-5, 0.1));
-  set_temperature(b.mesh, [](double, double, double) { return 300; });
+  set_temperature(b, [](double, double, double) { return 300; });
   const auto temperature = host_copy(b.mesh.points.temperature), mass = host_copy(b.mesh.points.mass);
   temperature(13) += 10;
   Kokkos::deep_copy(b.mesh.points.temperature, temperature);
@@ -120,7 +120,7 @@ TEST(HexHeat, CosineDecaysAtTheExactRate) {
   const auto error = [](int n) {
     const double L = 1e-4;
     const HotBlock b = make_hot_block(make_hex_block({n, 2, 2}, ti64(), L / n));
-    set_temperature(b.mesh, [&](double x, double, double) { return 300 + std::cos(pi * x / L); });
+    set_temperature(b, [&](double x, double, double) { return 300 + std::cos(pi * x / L); });
     const double time = 2e-4, rate = b.alpha * pi * pi / (L * L);
     const int steps = 64 * n * n / 64;
     for (int k = 0; k < steps; ++k) conduct(b, Real(time / steps));
@@ -137,7 +137,7 @@ TEST(HexHeat, CosineDecaysAtTheExactRate) {
 // brings each corner -k / 3 of its value (the integral of grad N_a . grad T).
 TEST(HexHeat, HourglassModeOfACubeConductsAsExactIntegrationSays) {
   const HotBlock b = make_hot_block(make_hex_block({1, 1, 1}, ti64(), 1.0));
-  set_temperature(b.mesh, [](double x, double y, double) { return (2 * x - 1) * (2 * y - 1); });
+  set_temperature(b, [](double x, double y, double) { return (2 * x - 1) * (2 * y - 1); });
   hex_heat(b.mesh, b.materials, 1);
   const auto heat = host_copy(b.mesh.corner_heat);
   for (int a = 0; a < 8; ++a)

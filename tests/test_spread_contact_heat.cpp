@@ -48,7 +48,7 @@ TEST(SpreadContactHeat, KeepsHeatToRoundOff) {
     Kokkos::deep_copy(b.hexes.points.temperature, Real(0)),
         Kokkos::deep_copy(b.particles.points.temperature, Real(0));
     for (int time = 0; time < 2; ++time) { // the second time there is nothing left to spread
-      spread_contact_heat(b.tie, b.particles, b.hexes, {});
+      spread_contact_heat(b.tie, b.particles, b.hexes, {}, test::make_material_table({test::ti64()}));
       EXPECT_NEAR(heat_of(b) / given, 1, test::round_off);
     }
   }
@@ -59,7 +59,7 @@ TEST(SpreadContactHeat, HexesFollowTheirNodes) {
   const test::TiedBlock b = heated_block(true);
   Kokkos::deep_copy(b.hexes.nodal_temperature, Real(300)),
       Kokkos::deep_copy(b.hexes.points.temperature, Real(300));
-  spread_contact_heat(b.tie, b.particles, b.hexes, {});
+  spread_contact_heat(b.tie, b.particles, b.hexes, {}, test::make_material_table({test::ti64()}));
   const auto T = host_copy(b.hexes.points.temperature), nodal = host_copy(b.hexes.nodal_temperature);
   const auto corner = host_copy(b.hexes.connectivity);
   for (int e = 0; e < b.hexes.points.count; ++e) {

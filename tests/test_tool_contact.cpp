@@ -1,11 +1,13 @@
 #include "support/box_tool.hpp"
 #include "support/materials.hpp"
 #include "support/points.hpp"
+#include "support/tool_bar.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/material/flow_law.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -344,6 +346,84 @@ TEST(ContactLaw, FrictionLedgerClosesToRoundOff) {
   EXPECT_GT(dissipated, 10);
   EXPECT_LE(largest, 0.3 * 1000 * 1.7 * (1 + test::round_off));
   EXPECT_NEAR(work + stored + dissipated, 0, test::round_off * 100 * dissipated);
+}
+
+// A point that slides at 0.5 m/s over a face of the box, pressed in by a millimetre: each of its two patches
+// is 2 m2. One point on a patch, in steps of 10 ms, for 1 s.
+Slider slide_over_patches(double friction, double wear_A, double wear_B) {
+  Slider s = make_slider(friction);
+  s.law.reference_step = Real(1e-2); // k = 0.1 * 2 kg / (10 ms)^2 = 2000 N/m: 2 N
+  s.gravity = {0, 0, 0};
+  ToolSurface& patches = s.tool.surface;
+  patches.patches = s.tool.facets;
+  patches.tree = IndexField("tree", 12), patches.halved = IndexField("halved", 12);
+  patches.corner = s.tool.vertex, patches.area = ScalarField("area", 12);
+  patches.sums = View<Real* [surface_sums]>("sums", 12);
+  patches.first = IndexField("first", 13), patches.source = IndexField("source", 1);
+  patches.wear_A = Real(wear_A), patches.wear_B = Real(wear_B);
+  const auto tree = host_copy(patches.tree);
+  for (int f = 0; f < 12; ++f) tree(f) = -1 - f;
+  Kokkos::deep_copy(patches.tree, tree), Kokkos::deep_copy(patches.area, Real(2));
+  s.points.on_tool = View<Real* [surface_sums]>("on_tool", 1), s.points.tool_patch = IndexField("patch", 1);
+  test::set_row(s.points.position, 0, {Real(0.1), Real(-0.5), Real(0.999)});
+  return s;
+}
+
+void slide_for_a_second(const Slider& s) {
+  ToolPose pose;
+  pose.velocity = {Real(-0.5), 0, 0};
+  for (int step = 0; step < 100; ++step)
+    tool_contact(s.points, s.tool, pose, s.law, s.materials, 1, Real(1e-2));
+  gather_tool_surface(s.points, s.tool.surface);
+}
+
+// Of the patch that the point touches; the others show nothing.
+std::array<double, shown_on_tool> shown_of(const Slider& s) {
+  const auto shown = host_copy(show_tool_surface(s.tool, 1));
+  const int touched = host_copy(s.points.tool_patch)(0);
+  std::array<double, shown_on_tool> out{};
+  for (int p = 0; p < 12; ++p)
+    for (int q = 0; q < shown_on_tool; ++q) {
+      if (p == touched) out[std::size_t(q)] = double(shown(p, q));
+      if (p != touched && q != shown_temperature) {
+        EXPECT_EQ(shown(p, q), 0) << p << " " << q;
+      }
+    }
+  return out;
+}
+
+TEST(ToolContact, PatchesShowPressureSpeedAndFriction) {
+  const Slider s = slide_over_patches(0.25, 0, 0);
+  slide_for_a_second(s);
+  const auto shown = shown_of(s);
+  EXPECT_NEAR(shown[shown_pressure], 1, 1e-9 * precision); // 2 N / 2 m2
+  EXPECT_NEAR(shown[shown_speed], 0.5, 1e-9 * precision);
+  // All that friction has dissipated: 0.5 N * 5 mm in each step but the first, in which the force rises to
+  // 0.5 N from nothing, (0 + 0.5) * (10 - 0.5) / (2 * 2000) J by the trapezoidal rule.
+  EXPECT_NEAR(2 * shown[shown_friction], double(test::get_row(s.points.friction_work, 0)), 1e-12 * precision);
+  EXPECT_NEAR(2 * shown[shown_friction], 99 * 2.5e-3 + 1.1875e-3, 1e-9 * precision);
+  EXPECT_EQ(shown[shown_wear], 0);
+}
+
+// Usui's law with constant pressure, speed and temperature: A p v t exp(-B / T) = 1e-3 / Pa * 1 Pa * 0.5 m *
+// exp(-1800 / 900) = 6.76676416e-5 m. The tool is held at the temperature of the point, so no heat flows.
+TEST(ToolContact, WearsAsUsuiSaysUnderConstantConditions) {
+  Slider s = slide_over_patches(0, 1e-3, 1800);
+  Material conductor = test::ti64();
+  conductor.conductivity = 7;
+  s.materials = test::make_material_table({conductor});
+  s.tool.heat = test::make_tool_bar(0, 1);
+  test::hold_cell(s.tool.heat, 0);
+  Kokkos::deep_copy(s.tool.heat.temperature, Real(900));
+  s.points.temperature = ScalarField("temperature", 1), s.points.gap = ScalarField("gap", 1);
+  Kokkos::deep_copy(s.points.temperature, Real(900));
+  s.points.heat_to_tool = ScalarField("heat_to_tool", 1), s.points.tool_cell = IndexField("tool_cell", 1);
+  slide_for_a_second(s);
+  const auto shown = shown_of(s);
+  EXPECT_NEAR(shown[shown_wear] / 6.76676416e-5, 1, 1e-8 * precision);
+  EXPECT_NEAR(shown[shown_temperature], 900, 1e-9 * precision);
+  slide_for_a_second(s);
+  EXPECT_NEAR(shown_of(s)[shown_wear] / (2 * 6.76676416e-5), 1, 1e-8 * precision); // it goes on
 }
 
 } // namespace

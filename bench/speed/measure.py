@@ -39,12 +39,17 @@ def programs(build):
     return sorted(found, key=lambda path: path.name != "bench_machine")
 
 
-def run(program, sizes, threads, options, scene=None):
+def kernels(program):
+    listed = subprocess.run([program, "--benchmark_list_tests"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    return list(dict.fromkeys(line.split("/")[0] for line in listed.splitlines()))
+
+
+def run(program, sizes, threads, options, part=None):
     environment = {"OMP_WAIT_POLICY": "passive", "OMP_PROC_BIND": "false", **os.environ,
                    "OMP_NUM_THREADS": str(threads), "SWARF_BENCH_SIZES": " ".join(map(str, sizes))}
     command = [program, f"--benchmark_min_time={options.seconds}", "--benchmark_format=json"]
-    if scene:
-        command.append(f"--benchmark_filter=^step, {scene}/")
+    if part:  # a process of its own, so that nothing before it is in the caches or in memory
+        command.append(f"--benchmark_filter=^{part}/")
     done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, check=True)
     answer = json.loads(done.stdout)
     for row in answer["benchmarks"]:
@@ -60,16 +65,17 @@ def key_of(row, context):
 
 
 def visits(build, bits, number, options):
-    """(program, sizes, scene) of a round: large sizes in the first one only."""
+    """(program, sizes, part of it) of a round: large sizes in the first one only."""
     fits = lambda sizes: [size for size in sizes
                           if size <= options.largest and (size < LARGE or (number == 0 and not options.quick))]
     for program in programs(build):
         if program.name == "bench_step":
             for scene, sizes in STEPS[bits].items():
-                yield from ((program, [size], scene) for size in fits(sizes))
+                yield from ((program, [size], f"step, {scene}") for size in fits(sizes))
         elif bits == 64 or program.name == "bench_machine":  # kernels in float differ as the step does
             if fits(options.sizes):
-                yield program, fits(options.sizes), None
+                for part in kernels(program) if program.name == "bench_kernels" else [None]:
+                    yield program, fits(options.sizes), part
 
 
 def add(found, number, answer):
@@ -108,9 +114,9 @@ def take_rounds(options, kept):
     for number in range(options.rounds):
         for threads in options.threads:
             for build, bits in ((options.build, 64), (options.float, 32)):
-                for program, sizes, scene in visits(build, bits, number, options) if build else ():
-                    name = f"{number}-{threads}-{bits}-{program.name}-{scene or ''}-{'-'.join(map(str, sizes))}"
-                    add(found, number, kept.get(name, lambda: run(program, sizes, threads, options, scene)))
+                for program, sizes, part in visits(build, bits, number, options) if build else ():
+                    name = f"{number}-{threads}-{bits}-{program.name}-{part or ''}-{'-'.join(map(str, sizes))}"
+                    add(found, number, kept.get(name, lambda: run(program, sizes, threads, options, part)))
         print(f"round {number + 1} of {options.rounds}: {time.time() - begun:.0f} s, load {os.getloadavg()[0]:.1f}",
               flush=True)
     return found

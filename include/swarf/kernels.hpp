@@ -6,6 +6,7 @@
 #include "swarf/hexes/conversion.hpp"
 #include "swarf/hexes/hex_mesh.hpp"
 #include "swarf/hexes/tie.hpp"
+#include "swarf/material/face_heat.hpp"
 #include "swarf/particles/held_rows.hpp"
 #include "swarf/particles/neighbors.hpp"
 #include "swarf/particles/particles.hpp"
@@ -101,11 +102,22 @@ void gather_tie_forces(const Tie&, const Particles&, const HexMesh&); // to the 
 void conduct_heat(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&, Real dt);
 void hex_heat(const HexMesh&, const MaterialTable&, Real dt);                         // to the corners
 void gather_heat(const Tie&, const Particles&, const HexMesh&, const MaterialTable&); // to the nodes
-void spread_temperature(const Tie&, const Particles&, const HexMesh&); // of nodes, hexes, tied particles
+// Of nodes, hexes, tied particles.
+void spread_temperature(const Tie&, const Particles&, const HexMesh&, const MaterialTable&);
 // What the contact has brought to nodes: into their hexes and the particles tied there.
-void spread_contact_heat(const Tie&, const Particles&, const HexMesh&, const TransformTable&);
+void spread_contact_heat(const Tie&, const Particles&, const HexMesh&, const TransformTable&,
+                         const MaterialTable&);
+// Through faces of bodies: after conduct_heat; into nodal_heat through films before nodes are coupled, and
+// where temperatures are held after that.
+void heat_faces(const Particles&, const HeatedFaces&, const MaterialTable&, Real dt);
+void heat_nodes(const HexMesh&, const HeatedNodes&, const HeatedFaces&, const MaterialTable&, Real dt);
+void hold_temperatures(const HexMesh&, const HeatedNodes&, const HeatedFaces&, const MaterialTable&);
 void gather_tool_heat(const ContactPoints&, const ToolHeat&); // what points have brought, to the tool's cells
 void conduct_tool(const ToolHeat&, Real dt);
+
+// --- the tool's surface
+void gather_tool_surface(const ContactPoints&, const ToolSurface&); // what points have done to its patches
+View<Real* [shown_on_tool]> show_tool_surface(const Tool&, Real duration); // of what was gathered in it, s
 
 // --- the tool, before the run
 View<Real* [4]> distance_to_tool(const Tool&,

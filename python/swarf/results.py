@@ -61,7 +61,9 @@ class Frame:
 
     @property
     def tool(self):
-        """Triangles: "position" has shape (triangles, 3 corners, 3)."""
+        """Triangles: "position" has shape (triangles, 3 corners, 3). Of each triangle contact_pressure, Pa,
+        sliding_speed, m/s, friction_power, W/m2, since the frame before, temperature, K, if the tool conducts, and
+        wear_depth, m, if it wears."""
         arrays = self._read("tool", "vtp")
         return arrays and arrays | {"position": arrays["position"].reshape(-1, 3, 3)}
 

@@ -29,7 +29,7 @@ double spacing_of(const BodyDeck& b, const ToolDeck& tool) {
 
 double wave_speed(const MaterialDeck& m) {
   const double nu = m.poissons_ratio;
-  return std::sqrt(m.youngs_modulus * (1 - nu) / (1 + nu) / (1 - 2 * nu) / m.density);
+  return std::sqrt(m.youngs_modulus.greatest() * (1 - nu) / (1 + nu) / (1 - 2 * nu) / m.density);
 }
 
 int find_zone(const Deck& deck, const std::string& shape) {

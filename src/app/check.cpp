@@ -4,6 +4,7 @@
 #include "src/check/cost.hpp"
 #include "src/check/scene.hpp"
 #include "src/geometry/shape.hpp"
+#include "src/pictures/draw_scene.hpp"
 #include "src/scene/hex_conversion.hpp"
 #include "src/simulation/simulation.hpp"
 #include "src/windows/windows.hpp"
@@ -17,7 +18,7 @@
 namespace swarf {
 namespace {
 
-constexpr double most_cells_to_try = 4e6;
+constexpr double most_cells_to_try = 6e5;
 constexpr double round_off = 1 - 1e-9; // what is as large as asked must not be found too small
 
 class Findings {
@@ -77,13 +78,50 @@ void check_inertia(const Deck& deck, Findings& found) {
   if (speed == 0) return;
   for (const MaterialDeck& m : deck.materials) {
     if (m.law == "rigid") continue;
-    const double K = m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio),
-                 G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+    const double E = m.youngs_modulus.greatest();
+    const double K = E / 3 / (1 - 2 * m.poissons_ratio), G = E / 2 / (1 + m.poissons_ratio);
     const double c = std::sqrt((K + 4 * G / 3) / m.density / deck.run.mass_factor);
     found.line("mass-scaled wave speed / tool speed", "{:.0f} ({})", c / speed, m.name);
     if (c < 50 * speed * round_off)
       found.warn("inertia of the scaled mass will show in the force: lower run.mass_factor");
   }
+}
+
+// Frames and pictures that never come, or come so often that they fill the disk.
+void check_output(const Deck& deck, double cells, Findings& found) {
+  const OutputDeck& output = deck.output;
+  const double end = end_time_of(deck), turn = 180 / std::numbers::pi;
+  const double speed = deck.tool ? deck.tool->spindle_speed : 0;
+  const double interval =
+      output.frame_time.value_or(output.frame_immersion ? *output.frame_immersion / speed : end / 20);
+  const std::string key = output.frame_immersion ? "frame_immersion" : "frame_time";
+  if (interval > end * (1 + 1e-9))
+    found.warn(
+        fmt::format("output.{} is {:.3g} times the run: there is a frame of its start and of its end. Take "
+                    "less for more",
+                    key, interval / end));
+  if (output.checkpoint_time && *output.checkpoint_time > end * (1 + 1e-9))
+    found.warn(
+        fmt::format("output.checkpoint_time is {:.3g} times the run: there is no checkpoint before its end",
+                    *output.checkpoint_time / end));
+  constexpr double bytes_per_cell = 130; // of a frame, of particles as of hexes
+  const double frames = std::ceil(end / interval), bytes = frames * cells * bytes_per_cell;
+  if (bytes > 1e11 || frames > 1e5)
+    found.warn(fmt::format("output.{}: {:.3g} frames, {:.3g} GB on the disk. Take a longer one", key, frames,
+                           1e-9 * bytes));
+  for (const double time : output.picture_time)
+    if (time > end * (1 + 1e-9))
+      found.warn(fmt::format(
+          "output.picture_time: {:.4g} s lies beyond the end of the run, {:.4g} s: the last frame "
+          "is drawn for it",
+          time, end));
+  for (const double angle : output.picture_immersion)
+    if (deck.tool &&
+        (angle < deck.tool->start_angle - 1e-9 || angle > deck.tool->start_angle + speed * end + 1e-9))
+      found.warn(fmt::format(
+          "output.picture_immersion: {:.4g} deg lies outside of the run, {:.4g} to {:.4g} deg: its "
+          "first or last frame is drawn for it",
+          turn * angle, turn * deck.tool->start_angle, turn * (deck.tool->start_angle + speed * end)));
 }
 
 // The chart was measured in one scene; where this one is another, its errors are a guess.
@@ -117,16 +155,22 @@ Deck plan_deck(const std::string& file, std::optional<AccuracyPlan>& plan) {
   return planned_deck(deck, *plan);
 }
 
-// Before anything is built: what would take minutes to look at is only counted.
+// Before anything is built: what would take minutes is worked out from a small block of each body.
 bool is_large(const Deck& deck, Findings& found) {
   double cells = 0;
   for (const BodyDeck& body : deck.bodies) cells += count_cells(deck, body);
   if (cells <= most_cells_to_try) return false;
   check_memory(deck);
   found.line("cells of all bodies", "{:.4g}", cells);
-  found.warn(fmt::format("{:.3g} cells: too many to build and try here, so nothing else is known. swarf run "
-                         "--stop-after 10 tries them",
-                         cells));
+  const SceneReport about = estimate_large(deck);
+  for (const auto& [name, value] : about.lines) found.line(name.c_str(), "{}", value);
+  for (const std::string& warning : about.warnings) found.warn(warning);
+  check_output(deck, cells, found);
+  check_inertia(deck, found);
+  found.warn(
+      fmt::format("{:.3g} cells: too many to build and look at here. What is said above is that of small "
+                  "blocks of the same cells; swarf run --stop-after 10 builds and tries all",
+                  cells));
   return true;
 }
 
@@ -148,7 +192,7 @@ void check_steps(const Deck& deck, double steps, double seconds, Findings& found
     found.warn(
         fmt::format("only {:.0f} step(s) to the end: look at run.end_time, run.mass_factor, and at "
                     "material.{}.youngs_modulus = {:.3g} Pa and density = {:.3g} kg/m3, which give the step",
-                    steps, m.name, m.youngs_modulus, m.density));
+                    steps, m.name, m.youngs_modulus.greatest(), m.density));
   }
   if (seconds > 3.2e7)
     found.warn(fmt::format(
@@ -161,7 +205,7 @@ double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; } // of all
 
 } // namespace
 
-int check_deck(const std::string& file) {
+int check_deck(const std::string& file, const std::string& picture) {
   const auto begin = std::chrono::steady_clock::now();
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -172,6 +216,7 @@ int check_deck(const std::string& file) {
   if (is_large(deck, found)) return found.warnings;
   Simulation simulation(deck);
   const Scene& scene = simulation.scene();
+  simulation.take_tool_temperature();
   simulation.start();
   refuse_endless(deck, simulation);
   const double start_up = seconds();
@@ -194,6 +239,10 @@ int check_deck(const std::string& file) {
     found.line("steps of conduction in a step", "{:.0f}", heat);
   const SceneReport places = look_at_scene(deck, scene);
   for (const auto& [name, value] : places.lines) found.line(name.c_str(), "{}", value);
+  if (!picture.empty()) {
+    draw_scene(deck, scene, picture);
+    found.line("picture of the scene", "{}", picture);
+  }
   std::fflush(stdout);
   const double trial_begin = seconds(), cpu_begin = cpu_seconds();
   const int trial = try_steps(simulation, end_time_of(deck));
@@ -214,6 +263,7 @@ int check_deck(const std::string& file) {
              machine_memory() / (1 << 30));
   check_steps(deck, steps, steps * per_step, found);
   for (const std::string& warning : places.warnings) found.warn(warning);
+  check_output(deck, double(scene.particles.whole) + scene.hexes.points.count, found);
   check_cutting(deck, scene, found);
   check_inertia(deck, found);
   if (plan) {

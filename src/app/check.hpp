@@ -6,6 +6,7 @@ namespace swarf {
 
 // Builds the scene, times a few steps of it, prints the findings. Returns the number of warnings.
 // Throws DeckError. Kokkos must be initialised.
-int check_deck(const std::string& file);
+// `picture`: a PNG of the scene, or empty.
+int check_deck(const std::string& file, const std::string& picture);
 
 } // namespace swarf

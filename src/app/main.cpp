@@ -1,15 +1,19 @@
-// The program: swarf run | check | keys | plot | render.
+// The program: swarf COMMAND; --help lists the commands.
 #include "src/app/check.hpp"
 #include "src/app/child_process.hpp"
+#include "src/app/mechanistic.hpp"
+#include "src/app/python.hpp"
 #include "src/app/run.hpp"
 #include "src/app/run_windows.hpp"
 #include "src/app/signals.hpp"
+#include "src/deck/library.hpp"
 #include "src/files/folder_lock.hpp"
 #include "src/files/results.hpp"
 #include "src/files/say.hpp"
 #include "src/pictures/pictures.hpp"
 #include "src/pictures/render.hpp"
 #include "src/simulation/simulation.hpp"
+#include "src/surface/surface.hpp"
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <fcntl.h>
@@ -115,28 +119,86 @@ int main(int argc, char** argv) {
   check->add_option("-t,--threads", threads, "threads")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 
+  std::string picture;
+  CLI::Option* draw = check
+                          ->add_option("--picture", picture,
+                                       "draw bodies and the tool's way to this PNG (default NAME_scene.png)")
+                          ->expected(0, 1);
+
   CLI::App* keys = app.add_subcommand("keys", "print the reference of all deck keys");
+
+  CLI::App* materials = app.add_subcommand("materials", "list the library of materials, with sources");
 
   std::string folder;
   CLI::App* plot = app.add_subcommand("plot", "draw force and energy plots of a results folder again");
   plot->add_option("results", folder, "results folder")->required();
   CLI::App* render = app.add_subcommand("render", "draw the chip pictures of a results folder again");
   render->add_option("results", folder, "results folder")->required();
+  bool of_tool = false;
+  std::string field;
+  CLI::Option* tool_flag = render->add_flag("--tool", of_tool, "the tool's rake and flank instead");
+  render
+      ->add_option(
+          "--field", field,
+          "that colours them: temperature, contact_pressure, sliding_speed, friction_power, wear_depth")
+      ->needs(tool_flag);
+
+  CLI::App* surface = app.add_subcommand("surface", "what the cut has left on the work: tables and plots");
+  double skip = 20;
+  surface->add_option("results", folder, "results folder")->required();
+  surface->add_option("--skip", skip, "of the length that was cut, left out at each end, % (20)")
+      ->check(CLI::Range(0.0, 49.0));
+  bool film = false;
+  render->add_flag("--film", film, "all frames as a film, pictures/chip.mp4 (needs ffmpeg), instead");
+
+  swarf::MechanisticOptions model;
+  CLI::App* mechanistic =
+      app.add_subcommand("mechanistic", "forces over a turn of the mill from coefficients, in no time");
+  mechanistic->add_option("deck", model.deck, "the deck")->required();
+  mechanistic->add_option("-o,--output", model.output, "folder (default results/NAME of the deck)");
+  CLI::Option* from_file = mechanistic->add_option("--coefficients", model.coefficients,
+                                                   "a file with [mechanistic], as identify writes it");
+  mechanistic
+      ->add_option("--measurements", model.measurements, "a csv of forces that the coefficients fit best")
+      ->excludes(from_file);
+  mechanistic->add_flag("--no-pictures", no_pictures, "draw nothing");
+  swarf::IdentifyOptions identified;
+  CLI::App* identify = app.add_subcommand("identify", "coefficients of the mechanistic model from runs");
+  identify->add_option("results", identified.folders, "folders of runs, of three feeds or chip thicknesses")
+      ->required();
+  identify->add_option("-o,--output", identified.output,
+                       "file for the coefficients, a section [mechanistic]");
+
+  // Their words are those of the Python package, which reads them.
+  for (const auto& [name, what] : swarf::python_commands)
+    app.add_subcommand(name, what)->prefix_command()->set_help_flag();
 
   CLI11_PARSE(app, argc, argv);
   try {
     if (*keys) return fmt::print("{}", swarf::key_reference()), 0;
-    if (*plot || *render) {
+    if (*materials) return fmt::print("{}", swarf::list_materials()), 0;
+    if (*plot || *render || *surface) {
       const swarf::FolderLock lock(existing(folder));
+      if (*surface) return swarf::draw_surface(folder, swarf::describe_surface(folder, skip / 100)), 0;
       if (*plot) return swarf::draw_plots(folder), 0;
+      if (of_tool) return swarf::render_tool(folder, field), 0;
+      if (film) return swarf::render_film(folder), 0;
       return swarf::render_strip(folder) ? 0 : 1;
     }
+    model.pictures = !no_pictures;
+    if (*mechanistic) return swarf::show_mechanistic(model), 0;
+    if (*identify) return swarf::show_identified(identified), 0;
+    for (const auto& command : swarf::python_commands)
+      if (const CLI::App* python = app.get_subcommand(command.first); *python)
+        return swarf::run_python(command.first, python->remaining());
     if (*run) swarf::survive_failed_writes();
     if (spread->count() > 0) options.windows = windows_text;
     options.pictures = !no_pictures, windows.threads = threads;
     if (*run) return ::run(options, windows);
+    if (draw->count() > 0 && picture.empty())
+      picture = std::filesystem::path(options.deck).stem().string() + "_scene.png";
     const int asked = threads > 0 ? threads : swarf::read_deck(options.deck).run.threads;
-    return with_kokkos(asked, [&] { return swarf::check_deck(options.deck), 0; });
+    return with_kokkos(asked, [&] { return swarf::check_deck(options.deck, picture), 0; });
   } catch (const std::exception& error) {
     swarf::complain("{}", error.what());
     return 1;

@@ -1,6 +1,7 @@
 #include "src/app/recorder.hpp"
 #include "src/output/restart_deck.hpp"
 #include "src/output/write_hdf5.hpp"
+#include "src/tool/flat_facets.hpp"
 #include <cmath>
 #include <fmt/ranges.h>
 
@@ -33,7 +34,7 @@ void Recorder::keep_deck() const {
 
 void Recorder::keep_tool() const {
   if (deck.tool && deck.tool->kind == "stl")
-    write_file(folder.tool(), read_text(deck.tool->file)); // to the last bit, in the file's own unit
+    write_file(folder.tool(), read_stl_bytes(deck.tool->file)); // to the last bit, in the file's own unit
   else if (deck.tool)
     write_stl(make_tool_surface(*deck.tool, ""), folder.tool().string());
 }
@@ -106,6 +107,7 @@ void Recorder::write_frame() {
   FrameData frame = copy_frame(simulation.scene().particles, simulation.scene().hexes,
                                simulation.scene().tool, simulation.pose());
   if (!deck.retire.distance) frame.particles.retired.clear();
+  frame.tool_fields = simulation.take_tool_fields();
   frame.time = simulation.time();
   if (deck.tool && deck.tool->spindle_speed > 0) frame.immersion = simulation.immersion_deg();
   frames->write(frame);

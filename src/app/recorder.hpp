@@ -21,6 +21,7 @@ class Recorder {
   void record(const HistorySample& sample);
   void write_frame(); // the state of now, once
   void write_checkpoint() const;
+  void write_tool_heat() const { simulation.write_tool_heat(folder); }
   bool has_begun() const { return frames != nullptr; } // there is a history to go on with
   const Leaks& most_leaked() const { return leaks; }
   RunWatch watch;

@@ -9,6 +9,7 @@
 #include "src/files/folder_lock.hpp"
 #include "src/files/results.hpp"
 #include "src/files/say.hpp"
+#include "src/mechanistic/model.hpp"
 #include "src/pictures/pictures.hpp"
 #include "src/windows/windows.hpp"
 #include <memory>
@@ -33,6 +34,7 @@ void go(Simulation& simulation, Recorder& recorder, const RunOptions& options, P
   }
   if (simulation.time() >= end) {
     recorder.write_frame();
+    recorder.write_tool_heat();
   } else if (signals.received() != 0) {
     ending = {130, "interrupted", signal_name(signals.received())};
     recorder.write_checkpoint();
@@ -52,6 +54,13 @@ void save_rest(Recorder& recorder, RunEnding& ending, bool with_frame) {
   } catch (const std::exception& error) {
     ending.why += fmt::format(" No last checkpoint: {}.", error.what());
   }
+}
+
+// What check would have said of the bodies, for those who did not ask.
+void speak_of_bodies(const Deck& deck, const Scene& scene) {
+  const BodyReport bodies = look_at_bodies(deck, scene);
+  for (const std::string& pair : bodies.joined) say("{}\n", pair);
+  for (const std::string& warning : bodies.warnings) complain("warning: {}.", warning);
 }
 
 void warn_of_retired(const Simulation& simulation) {
@@ -100,9 +109,11 @@ int run_deck(const Deck& deck, const RunOptions& options) {
   std::unique_ptr<FolderLock> lock = look_at_folder(where, deck, options);
   const double end = end_time_of(deck);
   Simulation simulation(deck);
+  if (!options.resume) simulation.take_tool_temperature(); // what it refuses leaves no folder behind
   if (!lock) lock = std::make_unique<FolderLock>(where);
   if (simulation.scene().collapsed_facets > 0)
     say("facets of the tool: {}\n", describe_facets(simulation.scene()));
+  if (!options.resume) speak_of_bodies(deck, simulation.scene());
   const ResultsFolder folder =
       options.resume ? open_results(where) : create_results(where, options.overwrite);
   Recorder recorder(deck, simulation, folder);
@@ -129,6 +140,7 @@ int run_deck(const Deck& deck, const RunOptions& options) {
   } catch (const std::exception&) {
     if (ending.status == 0) throw;
   }
+  if (deck.mechanistic) write_table(run_model(deck, *deck.mechanistic), folder.mechanistic());
   signals.reset(); // pictures may be cut short
   report(simulation, progress.seconds());
   warn_of_retired(simulation);

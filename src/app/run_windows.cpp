@@ -3,6 +3,7 @@
 #include "src/app/child_process.hpp"
 #include "src/files/folder_lock.hpp"
 #include "src/files/say.hpp"
+#include "src/mechanistic/model.hpp"
 #include "src/pictures/pictures.hpp"
 #include "src/pictures/plot.hpp"
 #include "src/windows/join_windows.hpp"
@@ -79,6 +80,8 @@ class WindowsRun {
     measure();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
     write_windows(folder, whole, results, wall.count());
+    if (whole.mechanistic)
+      write_table(run_model(whole, *whole.mechanistic), ResultsFolder{folder.path}.mechanistic());
     report();
     if (options.pictures && !interrupted) draw_windows(folder.path);
     if (interrupted) return 130;

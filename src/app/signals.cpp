@@ -37,6 +37,12 @@ std::string signal_name(int signal) {
     return "SIGTERM";
   case SIGHUP:
     return "SIGHUP";
+  case SIGQUIT:
+    return "SIGQUIT";
+  case SIGALRM:
+    return "SIGALRM";
+  case SIGVTALRM:
+    return "SIGVTALRM";
   case SIGUSR1:
     return "SIGUSR1";
   case SIGUSR2:

@@ -8,7 +8,8 @@
 namespace swarf {
 
 // Ctrl-C, kill, a terminal that closes, a batch system's warnings.
-inline constexpr std::array<int, 6> ending_signals{SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU};
+inline constexpr std::array<int, 9> ending_signals{SIGINT,    SIGTERM, SIGHUP,  SIGQUIT, SIGALRM,
+                                                   SIGVTALRM, SIGUSR1, SIGUSR2, SIGXCPU};
 
 void handle_ending_signals(void (*handler)(int)); // all of them, but a hang-up that nohup has ignored
 

@@ -1,6 +1,9 @@
 #include "src/app/summary.hpp"
 #include "src/files/say.hpp"
 #include "src/scene/hex_conversion.hpp"
+#include "src/scene/parts.hpp"
+#include "swarf/kernels.hpp"
+#include "swarf/material/thermal.hpp"
 #include "swarf/region/retire.hpp"
 #include <algorithm>
 #include <cmath>
@@ -119,6 +122,8 @@ Json retired_of(const Deck& deck, const Particles& p) {
   const auto material = host_copy(p.points.material), body = host_copy(p.body);
   const auto bits = host_copy(p.constraints);
   const auto velocity = host_copy(p.velocity);
+  std::vector<Material> materials;
+  for (const MaterialDeck& m : deck.materials) materials.push_back(make_material(m));
   double weight = 0, kinetic = 0, elastic = 0, dissipated = 0, heat = 0;
   Triple momentum{0, 0, 0};
   for (int i = 0; i < p.stored; ++i) {
@@ -129,8 +134,8 @@ Json retired_of(const Deck& deck, const Particles& p) {
       kinetic += 0.5 * inertia * double(velocity(i, c)) * double(velocity(i, c));
     }
     weight += m, elastic += double(internal(i)) - double(plastic(i)), dissipated += double(plastic(i));
-    heat += m * deck.materials[std::size_t(material(i))].specific_heat *
-            (double(temperature(i)) - deck.bodies[std::size_t(body(i))].temperature);
+    heat += double(heat_between(materials[std::size_t(material(i))], mass(i),
+                                Real(deck.bodies[std::size_t(body(i))].temperature), temperature(i)));
   }
   const RetiredCount count = count_retired(p);
   Json book;
@@ -138,6 +143,21 @@ Json retired_of(const Deck& deck, const Particles& p) {
   book.set("momentum_x", momentum[0]).set("momentum_y", momentum[1]).set("momentum_z", momentum[2]);
   book.set("kinetic_energy", kinetic).set("elastic_energy", elastic);
   return book.set("plastic_work", dissipated).set("heat", heat);
+}
+
+// Most worn patch of the tool: depth, m, and where in its frame.
+Json wear_of(const Tool& tool) {
+  const auto shown = host_copy(show_tool_surface(tool, 0));
+  const auto corner = host_copy(tool.surface.corner);
+  int worst = 0;
+  for (int p = 1; p < tool.surface.patches; ++p)
+    if (shown(p, shown_wear) > shown(worst, shown_wear)) worst = p;
+  Json wear;
+  wear.set("largest_depth", double(shown(worst, shown_wear)));
+  for (int d = 0; d < 3; ++d)
+    wear.set(fmt::format("at_{}", "xyz"[d]),
+             double(corner(worst, 0, d) + corner(worst, 1, d) + corner(worst, 2, d)) / 3);
+  return wear;
 }
 
 } // namespace
@@ -156,6 +176,7 @@ void write_summary(const RunFacts& run, double seconds) {
   Json summary;
   summary.set("title", deck.title).set("ended", ending.how).set("why", ending.why);
   summary.set("warnings", fmt::format("{}", fmt::join(watch.warnings(), "; "))).set("version", SWARF_VERSION);
+  summary.set("commit", SWARF_COMMIT); // "" outside of git
   if (deck.picked) {
     Json pick;
     pick.set("asked_percent", deck.picked->asked).set("why", deck.picked->why);
@@ -171,6 +192,7 @@ void write_summary(const RunFacts& run, double seconds) {
   summary.set("largest_plastic_strain", largest(raw.at("max_plastic_strain")));
   if (deck.retire.distance) summary.set("retired", retired_of(deck, scene.particles));
   if (deck.tool) summary.set("contact", watch.touched());
+  if (deck.tool && deck.tool->wear_A) summary.set("wear", wear_of(scene.tool));
   summary.set("forces", forces_of(folder)).set("energies", energies_of(folder));
   summary.set("shapes", shapes_of(deck, scene)).set("cost", cost);
   write_file(folder.summary(), summary.text() + "\n");

@@ -81,12 +81,12 @@ class BodyCheck {
     std::iota(group.begin(), group.end(), std::size_t(0));
   }
 
-  std::vector<std::string> run() {
+  BodyReport run() {
     for (std::size_t a = 0; a < deck.bodies.size(); ++a)
       for (std::size_t b = a + 1; b < deck.bodies.size(); ++b) look_at_pair(a, b);
     look_at_holds();
     look_at_cells();
-    return warnings;
+    return {warnings, joined};
   }
 
  private:
@@ -95,7 +95,7 @@ class BodyCheck {
   std::vector<Points> points;
   std::vector<Shape> shapes;
   std::vector<std::size_t> group;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, joined;
 
   std::size_t root(std::size_t b) const { return group[b] == b ? b : root(group[b]); }
 
@@ -107,9 +107,18 @@ class BodyCheck {
     const bool touching = near.meets(boxes[b]) &&
                           (touch(points[a], shapes[b], tolerance) || touch(points[b], shapes[a], tolerance));
     if (are_tied(one, other) || (touching && feel(deck, one, other))) group[root(a)] = root(b);
-    if (are_tied(one, other) || feel(deck, one, other)) return;
+    if (are_tied(one, other)) return;
     const std::string pair = fmt::format("bodies \"{}\" of line {} and \"{}\" of line {}", one.name, one.line,
                                          other.name, other.line);
+    if (feel(deck, one, other)) {
+      if (touching)
+        joined.push_back(pair + " touch: their particles push and pull each other");
+      else if (come_together(a, b))
+        joined.push_back(pair +
+                         " come together: from where they meet their particles push and pull each other, "
+                         "and do not part again");
+      return;
+    }
     if (touching)
       warnings.push_back(
           fmt::format("{} touch, and nothing joins them: they part when pulled and pass through each "
@@ -156,7 +165,7 @@ class BodyCheck {
 
   static bool is_held(const BodyDeck& body) {
     return std::any_of(body.faces.begin(), body.faces.end(),
-                       [](const FaceDeck& face) { return face.kind != "periodic"; });
+                       [](const FaceDeck& face) { return face.kind != "periodic" && face.kind != "free"; });
   }
 
   // The surface of a body of particles is half a cell beyond their centres: half of the least edge.
@@ -174,7 +183,8 @@ class BodyCheck {
                         body.name, body.line, *most / *least));
       for (const FaceDeck& face : body.faces) {
         const std::size_t axis = std::size_t(face.face[0] - 'x');
-        if (face.kind != "periodic" && face.kind != "symmetric" && axis < 3 && cells[axis] <= 2)
+        const bool held = face.kind == "fixed" || face.kind == "velocity";
+        if (held && axis < 3 && cells[axis] <= 2)
           warnings.push_back(
               fmt::format("body \"{}\" of line {} has {} layer(s) of particles across its held face "
                           "{}: take three or more, or it is too stiff",
@@ -201,8 +211,6 @@ class BodyCheck {
 
 } // namespace
 
-std::vector<std::string> warn_of_bodies(const Deck& deck, const Scene& scene) {
-  return BodyCheck(deck, scene).run();
-}
+BodyReport look_at_bodies(const Deck& deck, const Scene& scene) { return BodyCheck(deck, scene).run(); }
 
 } // namespace swarf

@@ -92,7 +92,7 @@ std::string describe_box(const Box& box) {
 std::string describe_facets(const Scene& scene) {
   std::string text = fmt::format("{}", scene.tool_facets.size());
   if (scene.collapsed_facets > 0)
-    text += fmt::format(" ({} more with two corners in one were left out)", scene.collapsed_facets);
+    text += fmt::format(" ({} more without area were taken out)", scene.collapsed_facets);
   return text;
 }
 
@@ -110,8 +110,9 @@ SceneReport look_at_scene(const Deck& deck, const Scene& scene) {
                                                              immersion(*deck.tool, end_time_of(deck))));
     report.warnings = warn_of_tool(deck, scene);
   }
-  const std::vector<std::string> of_bodies = warn_of_bodies(deck, scene);
-  report.warnings.insert(report.warnings.end(), of_bodies.begin(), of_bodies.end());
+  const BodyReport of_bodies = look_at_bodies(deck, scene);
+  for (const std::string& pair : of_bodies.joined) report.lines.emplace_back("act as one body", pair);
+  report.warnings.insert(report.warnings.end(), of_bodies.warnings.begin(), of_bodies.warnings.end());
   return report;
 }
 

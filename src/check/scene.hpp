@@ -13,6 +13,10 @@ struct SceneReport {
 // Of the scene before its first step.
 SceneReport look_at_scene(const Deck& deck, const Scene& scene);
 
+// Of a deck of too many cells to build in seconds: steps, hours and GiB from a small block of each body,
+// boxes from the shapes. Says nothing of overlaps and ties.
+SceneReport estimate_large(const Deck& deck);
+
 // --- its parts, each in a file of its own
 struct Box {
   Triple low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -32,7 +36,10 @@ std::string describe_facets(const Scene& scene); // of the tool: how many, and h
 
 std::vector<std::string> warn_of_tool(const Deck& deck,
                                       const Scene& scene); // that it misses, or is too narrow
-std::vector<std::string> warn_of_bodies(const Deck& deck,
-                                        const Scene& scene); // not held, not joined, not felt
+struct BodyReport {
+  std::vector<std::string> warnings; // not held, not joined, not felt
+  std::vector<std::string> joined;   // pairs that act as one, now or once they meet
+};
+BodyReport look_at_bodies(const Deck& deck, const Scene& scene);
 
 } // namespace swarf

@@ -1,5 +1,6 @@
 // Warnings about where the tool goes.
 #include "src/check/scene.hpp"
+#include "src/geometry/upload.hpp"
 #include "src/tool/geometry.hpp"
 #include "swarf/kernels.hpp"
 #include <algorithm>
@@ -108,6 +109,68 @@ void warn_of_thinness(const Deck& deck, const Scene& scene, std::vector<std::str
                                  describe_length(extent), describe_length(cell)));
 }
 
+// Middles and mid-edges of the quads whose nodes a tool may touch.
+ContactPoints between_nodes(const HexMesh& m) {
+  static constexpr int quads[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                      {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  const auto corner = host_copy(m.connectivity);
+  const auto area = host_copy(m.contact_area);
+  const auto x = host_copy(m.position);
+  std::vector<Vector3> points;
+  for (int e = 0; e < m.points.count; ++e)
+    for (const auto& quad : quads) {
+      Vector3 at[4], middle{0, 0, 0};
+      bool is_free = true;
+      for (int k = 0; k < 4; ++k) {
+        const int n = corner(e, quad[k]);
+        is_free = is_free && area(n) > 0;
+        at[k] = load_vector(x, n), middle = middle + Real(0.25) * at[k];
+      }
+      if (!is_free) continue;
+      points.push_back(middle);
+      for (int k = 0; k < 4; ++k) points.push_back(Real(0.5) * (at[k] + at[(k + 1) % 4]));
+    }
+  const int n = int(points.size());
+  return points_of(
+      upload<VectorField>("between", n, [&](auto& f, int i) { store_vector(f, i, points[std::size_t(i)]); }),
+      ScalarField("gap", std::size_t(n)), upload<ScalarField>("area", n, [](auto& f, int i) { f(i) = 1; }),
+      n);
+}
+
+// Contact looks from the nodes to the tool: where it goes on in a face before it has come to a node it is not
+// felt, and its edge is finer than the mesh. The poses up to its first node decide.
+void warn_of_gaps(const Deck& deck, const Scene& scene, std::vector<std::string>& warnings) {
+  const HexMesh& m = scene.hexes;
+  if (m.points.count == 0) return;
+  const double edge = scene.hex_diagonal / std::sqrt(3.0);
+  const ContactPoints nodes = points_of(m.position, m.contact_gap, m.contact_area, m.nodes),
+                      between = between_nodes(m);
+  double radius = 0;
+  for (const auto& facet : scene.tool_facets)
+    for (const Triple& v : facet) radius = std::max(radius, std::hypot(v[0], v[1]));
+  const ToolPose start = tool_pose(*deck.tool, 0);
+  const double speed = double(norm(start.velocity)) + std::abs(double(start.angular_velocity)) * radius;
+  const double end = end_time_of(deck), poses = std::ceil(4 * speed * end / edge) + 1;
+  if (between.count == 0 || poses * double(between.count + m.nodes) > most_looks) return;
+  double first = -1;
+  for (double k = 0; k < poses; ++k) {
+    const ToolPose pose = tool_pose(*deck.tool, poses > 1 ? end * k / (poses - 1) : 0.0);
+    if (double(find_closest_point(nodes, scene.tool, pose).depth) > 0) return;
+    const ClosestPoint in_face = find_closest_point(between, scene.tool, pose);
+    if (in_face.row < 0 || double(in_face.depth) <= 0) continue;
+    if (first < 0) first = k;
+    const double way = poses > 1 ? speed * end * (k - first) / (poses - 1) : 0;
+    if (way < 0.5 * edge) continue;
+    const Vector3 at = load_vector(host_copy(between.position), in_face.row);
+    warnings.push_back(
+        fmt::format("the tool goes {} into the hexes between their nodes, at ({:.4g}, {:.4g}, {:.4g}) m, "
+                    "before it comes to one "
+                    "of them: until then it is not felt. Take hexes of at most {}, or particles there",
+                    describe_length(way), at.x, at.y, at.z, describe_length(0.5 * edge)));
+    return;
+  }
+}
+
 bool is_slice(const BodyDeck& body) {
   return std::any_of(body.faces.begin(), body.faces.end(), [](const FaceDeck& f) {
     return f.kind == "periodic" && (f.face == "z_min" || f.face == "bottom");
@@ -144,6 +207,7 @@ std::vector<std::string> warn_of_tool(const Deck& deck, const Scene& scene) {
   std::vector<std::string> warnings;
   warn_of_size(deck, scene, warnings);
   warn_of_thinness(deck, scene, warnings);
+  if (warnings.empty()) warn_of_gaps(deck, scene, warnings);
   warn_if_it_misses(deck, scene, warnings);
   warn_of_width(deck, scene, warnings);
   return warnings;

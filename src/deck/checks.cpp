@@ -1,4 +1,5 @@
 #include "src/deck/checks.hpp"
+#include "src/deck/library.hpp"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -54,7 +55,7 @@ void check_resolution(const BodyDeck& body, const toml::table& table, DeckReport
                       std::string("is missing. Give spacing = \"2.5 um\"") +
                           (has_cells ? ", or the exact counts by cells" : ""));
   }
-  if (count > most)
+  if (!(count <= most)) // also NaN
     report.add(
         find_place(table, body.spacing ? "spacing" : "cells"), body.spacing ? "body.spacing" : "body.cells",
         fmt::format("makes {:.3g} {}, more than {:.0e}. Make the cells larger", count, body.fill, most));
@@ -105,6 +106,12 @@ void check_faces(const BodyDeck& body, const toml::table& table, DeckReport& rep
 
 bool melts(const MaterialDeck& m) { return m.law == "johnson_cook" || m.law == "johnson_cook_tanh"; }
 
+std::vector<std::string> names_in_library() {
+  std::vector<std::string> names;
+  for (const LibraryMaterial& entry : material_library()) names.push_back(entry.material.name);
+  return names;
+}
+
 void check_names(const Deck& deck, const toml::array& bodies, DeckReport& report) {
   std::vector<std::string> materials;
   for (const MaterialDeck& material : deck.materials) materials.push_back(material.name);
@@ -113,9 +120,7 @@ void check_names(const Deck& deck, const toml::array& bodies, DeckReport& report
     const toml::table& table = *bodies.get(i)->as_table();
     const auto material = std::find(materials.begin(), materials.end(), body.material);
     if (material == materials.end()) {
-      report.add(find_place(table, "material"), "body.material",
-                 fmt::format("there is no [material.{}] in this deck.{}", body.material,
-                             suggest(body.material, materials)));
+      report.add(find_place(table, "material"), "body.material", describe_missing(body.material, materials));
     } else if (const MaterialDeck& m = deck.materials[std::size_t(material - materials.begin())];
                melts(m) && body.temperature >= m.melt_temperature) {
       report.add(find_place(table, "temperature"), "body.temperature",
@@ -187,6 +192,13 @@ void check_slice(const Deck& deck, const toml::table& root, DeckReport& report) 
 
 } // namespace
 
+std::string describe_missing(const std::string& material, const std::vector<std::string>& known) {
+  if (!names_library(material))
+    return fmt::format("there is no [material.{}] in this deck.{}", material, suggest(material, known));
+  return fmt::format("there is no \"{}\": swarf materials lists those of the library.{}", material,
+                     suggest(material, names_in_library()));
+}
+
 std::vector<std::string> list_faces(const BodyDeck& body) {
   if (body.shape == "block") return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
   if (body.shape == "cylinder") return {"bottom", "top", "side"};
@@ -247,8 +259,18 @@ void check_tool(ToolDeck& tool, const toml::table& table, const StlPlace& place,
   if (tool.kind == "wedge" && tool.velocity == Triple{})
     report.add(find_place(table, "velocity"), "tool.velocity",
                "a wedge must move. Give one component a speed");
-  if (tool.kind != "stl") return;
+  if (tool.lift_time && tool.lift_velocity == Triple{})
+    report.add(find_place(table, "lift_time"), "tool.lift_time",
+               "the tool would stop in the cut. Give lift_velocity, away from the work");
+  if (!tool.lift_time && tool.lift_velocity != Triple{})
+    report.add(find_place(table, "lift_velocity"), "tool.lift_velocity",
+               "nothing says when the tool lifts off. Give lift_time, or leave it out");
   namespace fs = std::filesystem;
+  if (!tool.temperature_from.empty()) { // results/NAME is where swarf runs, wherever the deck is
+    std::error_code ignored;
+    tool.temperature_from = fs::absolute(tool.temperature_from, ignored).lexically_normal().string();
+  }
+  if (tool.kind != "stl") return;
   std::error_code error;
   fs::path path = fs::absolute(fs::path(place.deck).parent_path() / tool.file, error).lexically_normal();
   if (!fs::is_regular_file(path, error) && fs::is_regular_file(place.instead, error))

@@ -16,6 +16,9 @@ void check_output(const OutputDeck& output, const toml::table& table, DeckReport
 // Between sections; `root` is the whole deck.
 void check_deck(const Deck& deck, const toml::table& root, DeckReport& report);
 
+// What is wrong with the name of a material that is neither in the deck nor in the library.
+std::string describe_missing(const std::string& material, const std::vector<std::string>& known);
+
 // Does this body have the face? Reads shape, radii and angles.
 std::vector<std::string> list_faces(const BodyDeck& body);
 // "" if the face has no opposite.

@@ -1,5 +1,6 @@
 #include "src/deck/deck.hpp"
 #include "src/deck/checks.hpp"
+#include "src/deck/library.hpp"
 #include "src/deck/section.hpp"
 #include <algorithm>
 #include <cerrno>
@@ -7,13 +8,28 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 namespace swarf {
 namespace {
 
-const std::vector<std::string> section_names = {"material", "body",   "tool", "contact", "particles", "hexes",
-                                                "sleep",    "retire", "run",  "output",  "windows"};
+const std::vector<std::string> section_names = {"material",  "body",   "tool",    "contact",
+                                                "particles", "hexes",  "sleep",   "retire",
+                                                "run",       "output", "windows", "mechanistic"};
+
+MechanisticDeck fill_mechanistic(const toml::table& table, DeckReport& report) {
+  MechanisticDeck model;
+  model.line = int(table.source().begin.line);
+  const double per_radian = 180 / std::numbers::pi;
+  const std::size_t before = report.count();
+  read_keys(table, "mechanistic", mechanistic_keys(), model, report);
+  if (report.count() == before && model.exit <= model.entry)
+    report.add(find_place(table, "exit"), "mechanistic.exit",
+               fmt::format("expected more than entry = {:.6g} deg, got {:.6g} deg", model.entry * per_radian,
+                           model.exit * per_radian));
+  return model;
+}
 
 class DeckReader {
  public:
@@ -38,6 +54,7 @@ class DeckReader {
   void read_output();
   void read_run();
   void read_windows();
+  void read_mechanistic();
 };
 
 // The table, or an empty one so that the defaults are filled in.
@@ -93,8 +110,16 @@ void DeckReader::read_faces(const toml::table& body, std::vector<FaceDeck>& face
     face.face = name.str();
     const std::string path = "body.faces." + face.face;
     if (const toml::table* table = value.as_table()) {
-      face.kind = "velocity";
       read_keys(*table, path, face_keys(), face, report);
+      const bool moves = table->contains("velocity");
+      face.kind = moves ? "velocity" : face.fixed ? "fixed" : "free";
+      if (moves && face.fixed)
+        report.add(*table, path, "is fixed and has a velocity: expected one of the two. Leave one out");
+      if (face.film && !face.temperature)
+        report.add(*table, path, "has a film, but not the temperature of its surroundings. Give temperature");
+      if (!moves && !face.fixed && !face.temperature)
+        report.add(*table, path, "holds nothing. Give velocity, fixed = true or temperature");
+      face.fixed = false; // kind has it
     } else if (value.is_string() &&
                std::find(kinds.begin(), kinds.end(), **value.as_string()) != kinds.end()) {
       face.kind = **value.as_string();
@@ -102,7 +127,8 @@ void DeckReader::read_faces(const toml::table& body, std::vector<FaceDeck>& face
       const std::string hint = value.is_string() ? suggest(**value.as_string(), kinds) : "";
       report.add(
           value, path,
-          R"(expected "fixed", "symmetric", "periodic" or { velocity = ["0 m/s", "0 m/s", "1 m/s"] }.)" +
+          R"(expected "fixed", "symmetric", "periodic", { velocity = ["0 m/s", "0 m/s", "1 m/s"] } or )"
+          R"({ temperature = "300 K" }.)" +
               hint);
     }
     found.emplace_back(name.source().begin, face);
@@ -189,6 +215,15 @@ void DeckReader::read_windows() {
   read_keys(table, "windows", windows_keys(), windows, report);
 }
 
+void DeckReader::read_mechanistic() {
+  if (!root.contains("mechanistic")) return;
+  const toml::table& table = find_section("mechanistic");
+  if (&table == &empty) return; // reported
+  deck.mechanistic = fill_mechanistic(table, report);
+  if (!deck.tool || deck.tool->kind != "end_mill")
+    report.add(table, "mechanistic", "is a model of an end mill, and this deck has none. Remove the section");
+}
+
 Deck DeckReader::read() {
   read_top();
   read_materials();
@@ -201,7 +236,9 @@ Deck DeckReader::read() {
   read_run();
   read_output();
   read_windows();
+  read_mechanistic();
   report.throw_if_any();
+  add_library_materials(deck);
   check_deck(deck, root, report);
   report.throw_if_any();
   return deck;
@@ -228,8 +265,35 @@ std::string read_text(const std::string& file) {
 
 bool conducts_heat(const Deck& deck) {
   return std::any_of(deck.materials.begin(), deck.materials.end(),
-                     [](const MaterialDeck& m) { return m.conductivity > 0 && m.law != "rigid"; });
+                     [](const MaterialDeck& m) { return m.conductivity.greatest() > 0 && m.law != "rigid"; });
 }
+
+bool heats_faces(const Deck& deck) {
+  return std::any_of(deck.bodies.begin(), deck.bodies.end(), [](const BodyDeck& body) {
+    return std::any_of(body.faces.begin(), body.faces.end(),
+                       [](const FaceDeck& face) { return face.temperature.has_value(); });
+  });
+}
+
+bool stress_knows_heat(const Deck& deck) {
+  return std::any_of(deck.materials.begin(), deck.materials.end(), [](const MaterialDeck& m) {
+    return m.law != "rigid" && (m.thermal_expansion > 0 || !m.youngs_modulus.points.empty());
+  });
+}
+
+namespace {
+
+double extreme(const OverTemperature& table, bool greatest) {
+  double found = table.points.empty() ? table.value : table.points.front()[1];
+  for (const auto& [T, value] : table.points)
+    found = greatest ? std::max(found, value) : std::min(found, value);
+  return found;
+}
+
+} // namespace
+
+double OverTemperature::least() const { return extreme(*this, false); }
+double OverTemperature::greatest() const { return extreme(*this, true); }
 
 const MaterialDeck* find_material(const Deck& deck, const std::string& name) {
   const auto at = std::find_if(deck.materials.begin(), deck.materials.end(),
@@ -242,11 +306,13 @@ double end_time_of(const Deck& deck) {
   return (*deck.run.end_immersion - deck.tool->start_angle) / deck.tool->spindle_speed;
 }
 
-Deck read_deck(const std::string& file, const std::string& stl) {
+// Hands the parsed file to `use`.
+template <class Use>
+auto with_table(const std::string& file, const Use& use) {
   const std::string text = read_text(file);
   try {
     const toml::table table = toml::parse(text, file);
-    return DeckReader({file, stl}, table).read();
+    return use(table);
   } catch (const toml::parse_error& error) {
     const std::string description(error.description());
     const bool is_after_value = description.find("expected a comment or whitespace") != std::string::npos;
@@ -254,6 +320,23 @@ Deck read_deck(const std::string& file, const std::string& stl) {
     throw DeckError(
         fmt::format("{}:{}: this is not TOML: {}.{}", file, error.source().begin.line, description, advice));
   }
+}
+
+Deck read_deck(const std::string& file, const std::string& stl) {
+  return with_table(file, [&](const toml::table& table) { return DeckReader({file, stl}, table).read(); });
+}
+
+MechanisticDeck read_mechanistic(const std::string& file) {
+  return with_table(file, [&](const toml::table& table) {
+    const toml::table* section = table["mechanistic"].as_table();
+    if (!section)
+      throw DeckError(file + ": mechanistic: is missing. Give a file with a section [mechanistic], as swarf "
+                             "identify writes it.");
+    DeckReport report(file);
+    const MechanisticDeck model = fill_mechanistic(*section, report);
+    report.throw_if_any();
+    return model;
+  });
 }
 
 } // namespace swarf

@@ -15,12 +15,23 @@ struct DeckError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A constant, or a table over temperature: straight lines between its points, constant outside.
+struct OverTemperature {
+  OverTemperature(double constant = 0) : value(constant) {}
+  double value;                                // where there are no points
+  std::vector<std::array<double, 2>> points{}; // K and the value there, by rising temperature
+  double least() const;
+  double greatest() const;
+  bool operator==(const OverTemperature&) const = default;
+};
+
 struct MaterialDeck {
   std::string name;
   std::string
       law; // elastic | linear_hardening | johnson_cook | johnson_cook_tanh | zerilli_armstrong | rigid
-  double density, youngs_modulus, poissons_ratio;
-  double specific_heat, conductivity, taylor_quinney;
+  double density, poissons_ratio;
+  OverTemperature youngs_modulus, specific_heat, conductivity;
+  double thermal_expansion, taylor_quinney;
   double yield_stress, hardening_modulus;                                        // linear_hardening
   double A, B, n, C, m, reference_rate, reference_temperature, melt_temperature; // johnson_cook
   double softening_a, softening_b, softening_c, softening_d;                     // johnson_cook_tanh
@@ -31,8 +42,11 @@ struct MaterialDeck {
 
 struct FaceDeck {
   std::string face; // x_min .. z_max | bottom top side | inner outer bottom top start end
-  std::string kind; // fixed | symmetric | periodic | velocity
+  std::string kind; // free | fixed | symmetric | periodic | velocity
   Triple velocity{};
+  bool fixed = false;                     // as the deck's table says it; kind has it, too
+  std::optional<double> temperature = {}; // of the surface, or of what is around it
+  std::optional<double> film = {};        // W/(m2 K), in between
   bool operator==(const FaceDeck&) const = default;
 };
 
@@ -81,6 +95,14 @@ struct ToolDeck {
   std::string material;              // a rigid one; empty: the tool does not conduct
   double temperature = 0;            // at the start
   std::optional<double> held_beyond; // m from where the work touches: held at it; not given: insulated
+  std::string temperature_from;      // results folder whose tool's temperature it starts with; absolute here
+  double idle_time = 0;              // s between that run and this one, in which the tool only conducts
+  std::optional<double> heat_time;   // s that heat has to spread in all; not given: that of the run
+  // wear
+  std::optional<double> wear_A, wear_B; // 1/Pa, K; not given: none
+  // after the cut
+  std::optional<double> lift_time; // s; from then on it moves at:
+  Triple lift_velocity{};
   bool operator==(const ToolDeck&) const = default;
 };
 
@@ -149,6 +171,17 @@ struct WindowsDeck {
   bool operator==(const WindowsDeck&) const = default;
 };
 
+// The mechanistic model of the mill: forces of edge elements, linear in the chip thickness.
+struct MechanisticDeck {
+  double K_tc = 0, K_rc = 0, K_ac = 0; // Pa: shearing, tangential, radial, axial
+  double K_te = 0, K_re = 0, K_ae = 0; // N/m: of the edge
+  double minimum_chip = 0;             // m: thinner ones are not cut, but pressed down
+  std::optional<double> depth, helix;  // m, rad; not given: of the scene
+  double entry = 0, exit = 0;          // immersion, rad, where the work begins and ends
+  int line = 0;                        // of the deck, for messages; 0: not from a deck
+  bool operator==(const MechanisticDeck&) const = default;
+};
+
 struct LabelledForce {
   std::string label;
   double force; // N
@@ -191,6 +224,7 @@ struct Deck {
   RunDeck run;
   OutputDeck output;
   std::optional<WindowsDeck> windows;
+  std::optional<MechanisticDeck> mechanistic;
   std::optional<AccuracyPick> picked; // never from a file: that has the settings themselves
   bool operator==(const Deck&) const = default;
 };
@@ -200,7 +234,14 @@ struct Deck {
 // `stl` takes the place of the tool's STL file where that is missing: the copy that a results folder keeps.
 Deck read_deck(const std::string& file, const std::string& stl = "");
 
+// The section [mechanistic] of a file that may have no other: what swarf identify writes. Throws DeckError.
+MechanisticDeck read_mechanistic(const std::string& file);
+// That section as TOML, in SI units.
+std::string write_mechanistic(const MechanisticDeck& model);
+
 bool conducts_heat(const Deck& deck);
+bool heats_faces(const Deck& deck);       // a face has a film or a held temperature
+bool stress_knows_heat(const Deck& deck); // thermal expansion, or a modulus that depends on temperature
 const MaterialDeck* find_material(const Deck& deck, const std::string& name); // null: there is none
 
 // When the run ends, s.

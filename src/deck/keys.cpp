@@ -39,7 +39,11 @@ const Keys<MaterialDeck>& material_keys() {
        required, always,
        "flow law; all are isotropic, with the Jaumann rate; rigid: of a tool, which only conducts"},
       {"density", &M::density, D::density, positive, required, always, "mass per volume, unloaded"},
-      {"youngs_modulus", &M::youngs_modulus, D::pressure, positive, required, deforms, "E"},
+      {"youngs_modulus", &M::youngs_modulus, D::pressure, positive, required, deforms,
+       "E; this, specific_heat and conductivity may be tables over temperature, such as [[\"300 K\", \"110 "
+       "GPa\"], [\"900 K\", \"80 GPa\"]]: straight lines between the points, constant outside. The stable "
+       "step "
+       "is that of the stiffest, the best conductor and the least heat capacity in them"},
       {"poissons_ratio", &M::poissons_ratio, D::none, Range{-1, 0.5, true, true}, required, deforms, "nu"},
       {"specific_heat", &M::specific_heat, D::specific_heat, positive, required,
        law({"johnson_cook", "johnson_cook_tanh", "zerilli_armstrong", "rigid"}), "heat per mass and kelvin"},
@@ -48,6 +52,8 @@ const Keys<MaterialDeck>& material_keys() {
       {"conductivity", &M::conductivity, D::conductivity, not_negative, R"("0 W/m/K")", deforms,
        "of heat; 0: adiabatic"},
       {"conductivity", &M::conductivity, D::conductivity, positive, required, law({"rigid"}), "of heat"},
+      {"thermal_expansion", &M::thermal_expansion, D::per_kelvin, Range{0, 0.01}, R"("0 1/K")", deforms,
+       "of a length, per length as it is; 0: heat makes no stress"},
       {"taylor_quinney", &M::taylor_quinney, D::none, share, "0.9",
        law({"linear_hardening", "johnson_cook", "johnson_cook_tanh", "zerilli_armstrong"}),
        "share of the plastic work that becomes heat"},
@@ -100,7 +106,8 @@ const Keys<BodyDeck>& body_keys() {
        "cylinder and ring have their axis along z"},
       {"fill", &B::fill, D::none, Choices{"particles", "hexes"}, required, always,
        "how the body is discretised"},
-      {"material", &B::material, D::none, Text{}, required, always, "NAME of a [material.NAME]"},
+      {"material", &B::material, D::none, Text{}, required, always,
+       "NAME of a [material.NAME], or \"library:NAME\" of those that swarf materials lists"},
       {"origin", &B::origin, D::length, any, zero_point, always,
        "block: corner of least x, y, z; cylinder and ring: centre of the base; sphere: centre"},
       {"size", &B::size, D::length, positive, required, shape({"block"}), "edges along x, y, z"},
@@ -135,7 +142,8 @@ const Keys<BodyDeck>& body_keys() {
       {"convert_particles", &B::convert_particles, D::none, Range{1, 4}, "2", lattice_of_hexes,
        "particles along each edge of a hex that becomes particles"},
       {"faces", custom, D::none, any, optional, always,
-       "table [body.faces]: FACE = \"fixed\" | \"symmetric\" | \"periodic\" | { velocity = [...] }. "
+       "table [body.faces]: FACE = \"fixed\" | \"symmetric\" | \"periodic\" | { velocity = [...] }, and in "
+       "the braces, if heat goes through the face, temperature and film. "
        "Faces of a block: x_min x_max y_min y_max z_min z_max; of a cylinder: bottom top side; of a ring: "
        "inner "
        "outer bottom top start end; of a sphere: inner outer. Faces not named are free; periodic ones come "
@@ -147,7 +155,13 @@ const Keys<BodyDeck>& body_keys() {
 
 const Keys<FaceDeck>& face_keys() {
   static const Keys<FaceDeck> keys = {
-      {"velocity", &FaceDeck::velocity, D::velocity, any, required, always, "prescribed for the whole face"},
+      {"velocity", &FaceDeck::velocity, D::velocity, any, zero_velocity, always,
+       "prescribed for the whole face; not given: the face is free, or fixed"},
+      {"fixed", &FaceDeck::fixed, D::none, any, "false", always, "the face does not move"},
+      {"temperature", &FaceDeck::temperature, D::temperature, positive, optional, always,
+       "of the surface, which is held at it; with a film, of what is around it; not given: no heat crosses"},
+      {"film", &FaceDeck::film, D::conductance, positive, optional, always,
+       "film coefficient of the convection to surroundings of that temperature; not given: perfect"},
   };
   return keys;
 }
@@ -202,7 +216,8 @@ const Keys<ToolDeck>& tool_keys() {
       {"start_angle", &T::start_angle, D::angle, Range{-360, 720}, R"("0 deg")", mill,
        "immersion angle of tooth 0 at the end face at time 0: clockwise from +y"},
       {"material", &T::material, D::none, Text{}, optional, always,
-       "NAME of a [material.NAME] with law = \"rigid\": the tool conducts, and takes heat from the bodies "
+       "NAME of a [material.NAME] with law = \"rigid\", or \"library:carbide-wc-co\": the tool conducts, and "
+       "takes heat from the bodies "
        "and "
        "from friction by itself; not given: contact.heat_to_workpiece"},
       {"temperature", &T::temperature, D::temperature, positive, R"("25 degC")", always,
@@ -210,6 +225,27 @@ const Keys<ToolDeck>& tool_keys() {
       {"held_beyond", &T::held_beyond, D::length, positive, optional, always,
        "a tool with a material stays at that temperature farther than this from where the bodies come; not "
        "given: its far faces are insulated"},
+      {"temperature_from", &T::temperature_from, D::none, Text{}, optional, always,
+       "folder of the results of a run with the same tool, such as results/NAME: a tool with a material "
+       "starts "
+       "with the temperatures that it had at the end of that run; not given: with `temperature`"},
+      {"idle_time", &T::idle_time, D::time, not_negative, R"("0 s")", always,
+       "between that run and this one, in which the tool only conducts: of a mill what is left of a turn"},
+      {"heat_time", &T::heat_time, D::time, positive, optional, always,
+       "that heat has to spread in a tool with a material, over all runs whose temperatures are handed on, "
+       "with "
+       "the idle times: how far from the work the tool has cells; not given: that of the run"},
+      {"wear_A", &T::wear_A, D::per_pressure, positive, optional, always,
+       "depth of wear per time A p v exp(-B / T) of a tool with a material, p the pressure, v the sliding "
+       "speed, T "
+       "the temperature of its surface (Usui et al. 1984); the shape of the tool stays; not given: no wear"},
+      {"wear_B", &T::wear_B, D::temperature, not_negative, optional, always,
+       "of the same; 0 K: wear does not depend on the temperature"},
+      {"lift_time", &T::lift_time, D::time, positive, optional, always,
+       "when the tool lifts off, so that the work unloads: from then on lift_velocity takes the place of "
+       "velocity "
+       "and feed, and the spindle goes on"},
+      {"lift_velocity", &T::lift_velocity, D::velocity, any, zero_velocity, always, "from lift_time on"},
   };
   return keys;
 }

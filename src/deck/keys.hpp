@@ -30,10 +30,11 @@ struct Condition {
 template <class Section>
 struct Key {
   // monostate: a table or a list that deck.cpp reads by code of its own.
-  using Field = std::variant<std::monostate, std::string Section::*, bool Section::*, int Section::*,
-                             double Section::*, std::optional<double> Section::*, Triple Section::*,
-                             std::vector<double> Section::*, std::optional<std::array<int, 3>> Section::*,
-                             std::optional<std::array<double, 5>> Section::*>;
+  using Field =
+      std::variant<std::monostate, std::string Section::*, bool Section::*, int Section::*, double Section::*,
+                   OverTemperature Section::*, std::optional<double> Section::*, Triple Section::*,
+                   std::vector<double> Section::*, std::optional<std::array<int, 3>> Section::*,
+                   std::optional<std::array<double, 5>> Section::*>;
   std::string name;
   Field field;
   Dimension dimension;
@@ -60,6 +61,7 @@ const Keys<RunDeck>& run_keys();
 const Keys<OutputDeck>& output_keys();
 const Keys<LabelledForce>& published_keys();
 const Keys<WindowsDeck>& windows_keys();
+const Keys<MechanisticDeck>& mechanistic_keys();
 
 template <class Section>
 const std::string* text_of(const Keys<Section>& keys, const std::string& name, const Section& section) {

@@ -91,6 +91,50 @@ void check_conversion(const Deck& deck, const toml::table& root, DeckReport& rep
   if (any) refuse_methods(deck, root, report);
 }
 
+// Heat that crosses a face has to go on inside; what else heat brings has a rule in all but conversion.
+void check_heat(const Deck& deck, const toml::table& root, DeckReport& report) {
+  const toml::array& bodies = *root["body"].as_array();
+  for (std::size_t i = 0; i < deck.bodies.size(); ++i) {
+    const BodyDeck& body = deck.bodies[i];
+    const MaterialDeck* m = find_material(deck, body.material);
+    const toml::table& table = *bodies.get(i)->as_table();
+    if (!m) continue; // reported
+    for (const FaceDeck& face : body.faces) {
+      const toml::node& place = face.temperature ? find_place(*table["faces"].as_table(), face.face) : table;
+      const std::string key = "body.faces." + face.face;
+      if (face.temperature && m->conductivity.greatest() == 0)
+        report.add(place, key,
+                   fmt::format("lets heat through, but [material.{}] has no conductivity. Give it one, or "
+                               "leave temperature out",
+                               m->name));
+      if (face.temperature && body.converts())
+        report.add(place, key,
+                   "heat through faces does not go with hexes that become particles (convert_distance, "
+                   "convert_strain). Leave temperature out, or them");
+    }
+    if (!m->specific_heat.points.empty() && body.converts())
+      report.add(find_place(table, "material"), "body.material",
+                 fmt::format("[material.{}] has a table of specific_heat, which does not go with hexes that "
+                             "become particles (convert_distance, convert_strain). Give one value",
+                             m->name));
+    for (const BodyDeck& other : deck.bodies)
+      if (m->damage && m->thermal_expansion > 0 && other.material == body.material &&
+          other.temperature != deck.bodies[i].temperature && &other < &body)
+        report.add(find_place(table, "temperature"), "body.temperature",
+                   fmt::format("expected {} K, as body \"{}\" of the same material: what has failed is "
+                               "compared with the density at one temperature. Copy the material under "
+                               "another name",
+                               other.temperature, other.name));
+  }
+  for (const MaterialDeck& m : deck.materials) {
+    const bool has_tables = !m.conductivity.points.empty() || !m.specific_heat.points.empty();
+    if (m.law == "rigid" && has_tables)
+      report.add(find_place(*root["material"][m.name].as_table(),
+                            m.conductivity.points.empty() ? "specific_heat" : "conductivity"),
+                 "material." + m.name, "a rigid tool has no tables over temperature. Give one value");
+  }
+}
+
 // A rigid material is for the tool, and the tool's is rigid; heat crosses into what conducts.
 void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& report) {
   const toml::array& bodies = *root["body"].as_array();
@@ -103,7 +147,7 @@ void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& repo
       report.add(
           place, "body.material",
           fmt::format("[material.{}] has law = \"rigid\", which is for a tool. Name another", m->name));
-    else if (conducts && m->conductivity == 0)
+    else if (conducts && m->conductivity.greatest() == 0)
       report.add(
           place, "body.material",
           fmt::format("[material.{}] has no conductivity, so no heat can cross to the tool, which has a "
@@ -116,11 +160,23 @@ void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& repo
     if (deck.contact.conductance)
       report.add(find_place(contact, "conductance"), "contact.conductance",
                  "the tool has no material to conduct into. Give tool.material, or leave it out");
-    if (deck.tool->held_beyond)
-      report.add(find_place(tool, "held_beyond"), "tool.held_beyond",
-                 "the tool has no material, so it has no temperature. Give tool.material, or leave it out");
-    return;
+    const ToolDeck& t = *deck.tool;
+    for (const auto& [key, is_given] :
+         {std::pair("held_beyond", t.held_beyond.has_value()),
+          std::pair("temperature_from", !t.temperature_from.empty()),
+          std::pair("heat_time", t.heat_time.has_value()), std::pair("wear_A", t.wear_A.has_value())})
+      if (is_given)
+        report.add(find_place(tool, key), std::string("tool.") + key,
+                   "the tool has no material, so it has no temperature. Give tool.material, or leave it out");
   }
+  if (deck.tool->idle_time > 0 && deck.tool->temperature_from.empty())
+    report.add(find_place(tool, "idle_time"), "tool.idle_time",
+               "there is no run before this one. Give temperature_from, or leave it out");
+  if (deck.tool->wear_A.has_value() != deck.tool->wear_B.has_value())
+    report.add(find_place(tool, deck.tool->wear_A ? "wear_A" : "wear_B"),
+               deck.tool->wear_A ? "tool.wear_A" : "tool.wear_B",
+               "wear needs both of its constants, wear_A and wear_B. Give the other, or leave it out");
+  if (!conducts) return;
   const MaterialDeck* m = find_material(deck, deck.tool->material);
   std::vector<std::string> rigid;
   for (const MaterialDeck& other : deck.materials)
@@ -129,8 +185,7 @@ void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& repo
     report.add(find_place(tool, "material"), "tool.material",
                m ? fmt::format("[material.{}] deforms. Name one with law = \"rigid\".{}", m->name,
                                suggest(m->name, rigid))
-                 : fmt::format("there is no [material.{}] in this deck.{}", deck.tool->material,
-                               suggest(deck.tool->material, rigid)));
+                 : describe_missing(deck.tool->material, rigid));
   if (deck.contact.heat_to_workpiece)
     report.add(
         find_place(contact, "heat_to_workpiece"), "contact.heat_to_workpiece",
@@ -144,6 +199,7 @@ void check_methods(const Deck& deck, const toml::table& root, DeckReport& report
   check_evolving(deck, root, report);
   check_retire(deck, root, report);
   check_conversion(deck, root, report);
+  check_heat(deck, root, report);
   check_tool_heat(deck, root, report);
 }
 

@@ -179,6 +179,32 @@ const Keys<WindowsDeck>& windows_keys() {
   return keys;
 }
 
+const Keys<MechanisticDeck>& mechanistic_keys() {
+  using M = MechanisticDeck;
+  static const Keys<M> keys = {
+      {"K_tc", &M::K_tc, D::pressure, any, required, always,
+       "tangential force per area of uncut chip; on the tool, against the motion of its edge"},
+      {"K_rc", &M::K_rc, D::pressure, any, required, always, "radial; on the tool, towards its axis"},
+      {"K_ac", &M::K_ac, D::pressure, any, R"("0 N/mm2")", always,
+       "axial; positive pulls the tool out of its holder, -z"},
+      {"K_te", &M::K_te, D::line_force, any, R"("0 N/mm")", always,
+       "tangential force of the edge per depth of cut, whatever the chip"},
+      {"K_re", &M::K_re, D::line_force, any, R"("0 N/mm")", always, "radial"},
+      {"K_ae", &M::K_ae, D::line_force, any, R"("0 N/mm")", always, "axial"},
+      {"minimum_chip", &M::minimum_chip, D::length, not_negative, R"("0 um")", always,
+       "a chip thinner than this is not cut: the edge only presses, and leaves it to the next tooth"},
+      {"depth", &M::depth, D::length, positive, optional, always,
+       "axial depth of cut; not given: what the tool overlaps of the bodies, times output.force_scale"},
+      {"helix", &M::helix, D::angle, Range{0, 70}, optional, always,
+       "not given: tool.helix. A periodic slice has none, its mill may"},
+      {"entry", &M::entry, D::angle, Range{0, 360}, R"("0 deg")", always,
+       "immersion where the work begins; a slot: 0 deg"},
+      {"exit", &M::exit, D::angle, Range{0, 360}, R"("180 deg")", always,
+       "immersion where it ends; a slot: 180 deg"},
+  };
+  return keys;
+}
+
 const Keys<LabelledForce>& published_keys() {
   using L = LabelledForce;
   static const Keys<L> keys = {

@@ -89,7 +89,9 @@ const std::vector<DimensionRow>& dimensions() {
       {Dimension::conductivity, {1, 1, -3, -1, 0}, {"a thermal conductivity", "W/m/K", "6.3 W/m/K"}},
       {Dimension::conductance, {0, 1, -3, -1, 0}, {"a thermal conductance per area", "W/m2/K", "1e6 W/m2/K"}},
       {Dimension::per_kelvin, {0, 0, 0, -1, 0}, {"a coefficient per kelvin", "1/K", "2.4e-3 1/K"}},
+      {Dimension::per_pressure, {1, -1, 2, 0, 0}, {"a coefficient per stress", "1/Pa", "1e-14 1/Pa"}},
       {Dimension::force, {1, 1, -2, 0, 0}, {"a force", "N", "10.1 N"}},
+      {Dimension::line_force, {0, 1, -2, 0, 0}, {"a force per length", "N/m", "22.2 N/mm"}},
       {Dimension::percentage, {}, {"a percentage", "%", "5 %"}},
   };
   return table;

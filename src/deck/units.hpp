@@ -21,7 +21,9 @@ enum class Dimension {
   conductivity,
   conductance,
   per_kelvin,
+  per_pressure,
   force,
+  line_force,
   percentage
 };
 

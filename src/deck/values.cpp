@@ -16,7 +16,8 @@ std::string show(const toml::node& node) {
   std::string text = node.is_floating_point() ? fmt::format("{}", *node.value<double>()) : out.str();
   if (node.is_string()) text = fmt::format("\"{}\"", **node.as_string()); // not as an escaped literal
   std::replace(text.begin(), text.end(), '\n', ' ');
-  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+  if (text.size() > 60) text.replace(57, std::string::npos, "...");
+  return text;
 }
 
 double from_display(double bound, Dimension dimension) {
@@ -55,6 +56,26 @@ std::string advise_unit(const toml::node& node, const ValueRule& rule, const std
   return fmt::format(". {} {}\"{}\"", is_si ? "In SI units, write" : "Write", as, quantity);
 }
 
+constexpr std::size_t most_table_points = 16; // TemperatureTable::most
+
+// What lies beyond is a slip, and overflows where lengths are multiplied: it would be found as something
+// else.
+std::string describe_slip(double x, const ValueRule& rule) {
+  const auto beyond = [&](double most, const char* as) {
+    return std::abs(x) > most
+               ? fmt::format("{} {} is {}. Look at the unit", x, describe(rule.dimension).si, as)
+               : "";
+  };
+  if (rule.dimension == Dimension::length) {
+    const auto* range = std::get_if<Range>(&rule.allowed);
+    if (range && range->low == 0 && range->low_open && x < 1e-15)
+      return fmt::format("{} m is less than the size of an atom's core. Look at the unit", x);
+    return beyond(1e12, "farther than the planets");
+  }
+  if (rule.dimension == Dimension::velocity) return beyond(3e8, "faster than light");
+  return "";
+}
+
 // One number of a value or of an array. `as` is what to write it as: "spacing = " or nothing in an array.
 std::string read_number(const toml::node& node, const ValueRule& rule, const std::string& as, double& x) {
   const DimensionText& text = describe(rule.dimension);
@@ -77,7 +98,7 @@ std::string read_number(const toml::node& node, const ValueRule& rule, const std
   if (range && !is_within(x, *range, rule.dimension))
     return fmt::format("expected {}, {}, got {}", text.name, describe_bounds(*range, rule.dimension),
                        show(node));
-  return "";
+  return describe_slip(x, rule);
 }
 
 std::string read_numbers(const toml::node& node, const ValueRule& rule, std::size_t count, double* x) {
@@ -206,6 +227,36 @@ std::string read_value(const toml::node& node, const ValueRule& rule, double& va
   return read_number(node, rule, rule.name + " = ", value);
 }
 
+// [["300 K", "6.6 W/m/K"], ["900 K", "13 W/m/K"], ...], or a value.
+std::string read_value(const toml::node& node, const ValueRule& rule, OverTemperature& value) {
+  const toml::array* rows = node.as_array();
+  value.points.clear();
+  if (!rows) return read_value(node, rule, value.value);
+  const DimensionText& text = describe(rule.dimension);
+  if (rows->size() < 2 || rows->size() > most_table_points)
+    return fmt::format("expected {}, or a table over temperature of 2 to {} points such as [[\"300 K\", "
+                       "\"{}\"], [\"900 K\", \"{}\"]], got {}",
+                       text.name, most_table_points, text.example, text.example, show(node));
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    const toml::array* row = rows->get(i)->as_array();
+    if (!row || row->size() != 2)
+      return fmt::format("entry {}: expected a pair such as [\"300 K\", \"{}\"], got {}", i + 1, text.example,
+                         show(*rows->get(i)));
+    std::array<double, 2> point{};
+    std::string error =
+        read_number(*row->get(0), {"", Dimension::temperature, Range{0, 1e5, true}}, "", point[0]);
+    if (error.empty()) error = read_number(*row->get(1), rule, "", point[1]);
+    if (error.empty() && !(point[1] > 0))
+      error = fmt::format("expected more than 0 {} in a table, got {}", text.si, show(*row->get(1)));
+    if (error.empty() && i > 0 && !(point[0] > value.points.back()[0]))
+      error = fmt::format("expected a temperature above the one before, {} K, got {}", value.points.back()[0],
+                          show(*row->get(0)));
+    if (!error.empty()) return fmt::format("entry {}: {}", i + 1, error);
+    value.points.push_back(point);
+  }
+  return "";
+}
+
 std::string read_value(const toml::node& node, const ValueRule& rule, std::optional<double>& value) {
   double x = 0;
   const std::string error = read_value(node, rule, x);
@@ -260,6 +311,14 @@ std::string write_value(int value, const ValueRule&) { return std::to_string(val
 std::string write_value(double value, const ValueRule& rule) {
   const std::string text = format_quantity(value, rule.dimension);
   return rule.dimension == Dimension::none ? text : quote(text);
+}
+std::string write_value(const OverTemperature& value, const ValueRule& rule) {
+  if (value.points.empty()) return write_value(value.value, rule);
+  std::vector<std::string> rows;
+  for (const auto& [T, x] : value.points)
+    rows.push_back(
+        fmt::format("[{}, {}]", write_value(T, {"", Dimension::temperature, Range{}}), write_value(x, rule)));
+  return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 std::string write_value(const std::optional<double>& value, const ValueRule& rule) {
   return value ? write_value(*value, rule) : "";

@@ -38,6 +38,7 @@ std::string read_value(const toml::node& node, const ValueRule& rule, std::strin
 std::string read_value(const toml::node& node, const ValueRule& rule, bool& value);
 std::string read_value(const toml::node& node, const ValueRule& rule, int& value);
 std::string read_value(const toml::node& node, const ValueRule& rule, double& value);
+std::string read_value(const toml::node& node, const ValueRule& rule, OverTemperature& value);
 std::string read_value(const toml::node& node, const ValueRule& rule, std::optional<double>& value);
 std::string read_value(const toml::node& node, const ValueRule& rule, Triple& value);
 std::string read_value(const toml::node& node, const ValueRule& rule, std::vector<double>& value);
@@ -51,6 +52,7 @@ std::string write_value(const std::string& value, const ValueRule& rule);
 std::string write_value(bool value, const ValueRule& rule);
 std::string write_value(int value, const ValueRule& rule);
 std::string write_value(double value, const ValueRule& rule);
+std::string write_value(const OverTemperature& value, const ValueRule& rule);
 std::string write_value(const std::optional<double>& value, const ValueRule& rule);
 std::string write_value(const Triple& value, const ValueRule& rule);
 std::string write_value(const std::vector<double>& value, const ValueRule& rule);

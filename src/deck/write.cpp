@@ -33,9 +33,17 @@ std::string write_body(const BodyDeck& body) {
   std::string text = "\n[[body]]\n" + write_keys(body_keys(), body);
   if (!body.faces.empty()) text += "[body.faces]\n";
   for (const FaceDeck& face : body.faces) {
-    const std::string velocity = write_value(face.velocity, {"velocity", Dimension::velocity, Range{}});
-    text += face.kind == "velocity" ? fmt::format("{} = {{ velocity = {} }}\n", face.face, velocity)
-                                    : fmt::format("{} = \"{}\"\n", face.face, face.kind);
+    std::vector<std::string> entries;
+    if (face.kind == "velocity")
+      entries.push_back("velocity = " + write_value(face.velocity, {"", Dimension::velocity, Range{}}));
+    if (face.kind == "fixed" && face.temperature) entries.push_back("fixed = true");
+    if (face.temperature)
+      entries.push_back("temperature = " +
+                        write_value(*face.temperature, {"", Dimension::temperature, Range{}}));
+    if (face.film)
+      entries.push_back("film = " + write_value(*face.film, {"", Dimension::conductance, Range{}}));
+    text += entries.empty() ? fmt::format("{} = \"{}\"\n", face.face, face.kind)
+                            : fmt::format("{} = {{ {} }}\n", face.face, fmt::join(entries, ", "));
   }
   return text;
 }
@@ -66,6 +74,7 @@ std::string describe_values(const Key<Section>& key) {
   if (std::holds_alternative<std::optional<std::array<double, 5>> Section::*>(key.field))
     what = "five numbers";
   if (std::holds_alternative<std::vector<double> Section::*>(key.field)) what = "list, each " + what;
+  if (std::holds_alternative<OverTemperature Section::*>(key.field)) what += " or a table";
   if (range && std::holds_alternative<Triple Section::*>(key.field)) what = "three, each " + what;
   const std::string bounds = range ? describe_bounds(*range, key.dimension) : "";
   return bounds.empty() ? what : what + ", " + bounds;
@@ -91,6 +100,10 @@ std::string write_reference(const std::string& heading, const std::string& help,
 
 } // namespace
 
+std::string write_mechanistic(const MechanisticDeck& model) {
+  return "[mechanistic]\n" + write_keys(mechanistic_keys(), model);
+}
+
 std::string resolved_deck(const Deck& deck) {
   std::string text = "# Written by swarf: the deck with every default, in SI units.\n";
   if (deck.picked) {
@@ -114,6 +127,7 @@ std::string resolved_deck(const Deck& deck) {
   if (deck.retire.distance) text += "\n[retire]\n" + write_keys(retire_keys(), deck.retire);
   text += "\n[run]\n" + write_keys(run_keys(), deck.run);
   if (deck.windows) text += "\n[windows]\n" + write_keys(windows_keys(), *deck.windows);
+  if (deck.mechanistic) text += "\n" + write_mechanistic(*deck.mechanistic);
   text += "\n[output]\n" + write_keys(output_keys(), deck.output);
   return text + write_published(deck.output.published);
 }
@@ -133,8 +147,7 @@ std::string key_reference() {
   text += write_reference("Top of the file", "Before the first section.", top_keys());
   text += write_reference("[material.NAME]", "One section per material.", material_keys());
   text += write_reference("[[body]]", "One section per body, in double brackets; at least one.", body_keys());
-  text += write_reference("[body.faces]",
-                          "Follows its [[body]]. A face with a prescribed velocity holds:", face_keys());
+  text += write_reference("[body.faces]", "Follows its [[body]]. A face in braces holds:", face_keys());
   text += write_reference("[tool]", "The rigid tool, if there is one.", tool_keys());
   text += write_reference("[contact]", "Between the tool and the bodies; goes with [tool].", contact_keys());
   text += write_reference("[particles]", "Method of the particles.", particles_keys());
@@ -144,11 +157,15 @@ std::string key_reference() {
   text += write_reference("[run]", "Exactly one of end_time and end_immersion.", run_keys());
   text += write_reference("[output]", "What is written, and how often.", output_keys());
   text += write_reference("output.published", "Each entry of the list:", published_keys());
+  text += write_reference("[windows]",
+                          "Optional: runs short windows spread over the pass instead of the whole of it, as "
+                          "swarf run --windows first:last:step does. An end mill and rings only.",
+                          windows_keys());
   return text +
-         write_reference("[windows]",
-                         "Optional: runs short windows spread over the pass instead of the whole of it, as "
-                         "swarf run --windows first:last:step does. An end mill and rings only.",
-                         windows_keys());
+         write_reference("[mechanistic]",
+                         "Optional: coefficients of the mechanistic model of the mill, drawn beside the "
+                         "run's forces (swarf mechanistic).",
+                         mechanistic_keys());
 }
 
 } // namespace swarf

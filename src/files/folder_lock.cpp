@@ -41,11 +41,16 @@ std::string read_holder(int descriptor) {
   return holder.empty() ? "another process" : holder;
 }
 
+bool is_file(int descriptor) {
+  struct stat what {};
+  return fstat(descriptor, &what) == 0 && S_ISREG(what.st_mode);
+}
+
 // Whoever let go of the lock has removed the file with it: then the name is another file's by now.
 bool is_still_named(int descriptor, const fs::path& file) {
   struct stat held {
   }, named{};
-  return fstat(descriptor, &held) == 0 && stat(file.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
+  return fstat(descriptor, &held) == 0 && lstat(file.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
          held.st_ino == named.st_ino;
 }
 
@@ -54,7 +59,14 @@ bool is_still_named(int descriptor, const fs::path& file) {
 FolderLock::FolderLock(const fs::path& folder) : file(folder / "swarf.lock") {
   make_folder(folder);
   for (;;) {
-    descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    if ((descriptor < 0 && (errno == ELOOP || errno == ENXIO)) || (descriptor >= 0 && !is_file(descriptor))) {
+      if (descriptor >= 0) close(descriptor);
+      throw ResultsError(fmt::format(
+          "{}: is a link, a folder or a device, and the run would write in it: remove it, or choose another "
+          "folder with --output",
+          file.string()));
+    }
     if (descriptor < 0) fail_to(folder, "write in the results folder", errno);
     const int failed = flock(descriptor, LOCK_EX | LOCK_NB);
     const int error = errno;

@@ -61,7 +61,9 @@ bool is_frame(const std::string& name) {
   return name.starts_with("frame_") && part && ends_in_number(name, 6);
 }
 bool is_picture(const std::string& name) {
-  return name == "force.png" || name == "energy.png" || name == "chip.png" ||
+  return name == "force.png" || name == "energy.png" || name == "heat.png" || name == "chip.png" ||
+         name == "chip.mp4" ||
+         ((name.starts_with("tool_") || name.starts_with("surface_")) && name.ends_with(".png")) ||
          (name.starts_with("chip_") && name.ends_with(".png") && ends_in_number(name, 5));
 }
 
@@ -77,8 +79,10 @@ std::vector<fs::path> list_files(const ResultsFolder& results) {
   std::error_code ignored;
   for (const fs::path& file :
        {results.history(), results.filtered_history(), results.results(), results.checkpoint(),
-        results.summary(), results.frame_list(), results.paraview(), results.tool()})
+        results.summary(), results.frame_list(), results.paraview(), results.tool(), results.tool_heat()})
     if (fs::exists(file, ignored)) files.push_back(file);
+  for (const char* name : {"surface.csv", "surface_heights.csv", "surface_history.csv", "surface.json"})
+    if (fs::exists(results.path / name, ignored)) files.push_back(results.path / name);
   add_files(results.frames(), is_frame, files);
   add_files(results.pictures(), is_picture, files);
   return files;
@@ -180,8 +184,11 @@ void write_file(const fs::path& file, std::string_view content) {
 }
 
 std::string read_text(const fs::path& file) {
+  errno = 0; // of something else
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
+  const bool is_empty = stream && stream.peek() == std::ifstream::traits_type::eof() && errno == 0;
+  if (is_empty) return ""; // of which << makes an error
   if (!stream || !(text << stream.rdbuf()))
     throw ResultsError(fmt::format("{}: cannot read it: {}; give the folder of a finished or stopped run",
                                    file.string(), std::strerror(errno)));

@@ -27,7 +27,9 @@ struct ResultsFolder {
   std::filesystem::path frame_list() const { return path / "frames.csv"; }
   std::filesystem::path paraview() const { return path / "frames.pvd"; }
   std::filesystem::path pictures() const { return path / "pictures"; }
+  std::filesystem::path mechanistic() const { return path / "mechanistic.csv"; } // of the deck, not of a run
   std::filesystem::path tool() const { return path / "tool.stl"; }
+  std::filesystem::path tool_heat() const { return path / "tool_heat.h5"; } // at the end of the run
 };
 
 // Throws ResultsError where a new run must not write: over one of `inputs`, over a file that swarf did not

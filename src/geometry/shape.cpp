@@ -1,4 +1,5 @@
 #include "src/geometry/shape.hpp"
+#include "src/geometry/memory.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -18,9 +19,6 @@ void reject(const Deck& deck, const BodyDeck& body, const std::string& key, cons
 namespace {
 
 constexpr double pi_2 = 0.5 * pi;
-// What a run needs for a particle (fields, lists, tie) and a hex, measured on the shipped decks; rounded down
-// so that nothing is refused that would run.
-constexpr double bytes_per_cell = 1000;
 constexpr double index_limit = std::numeric_limits<int>::max() / 8; // 8 corners of a hex
 
 double sector(const BodyDeck& b) { return b.end_angle - b.start_angle; }

@@ -1,5 +1,6 @@
 #include "src/output/frame.hpp"
 #include "src/scene/scene.hpp"
+#include "swarf/kernels.hpp"
 #include "swarf/region/retire.hpp"
 
 #include <cmath>
@@ -54,8 +55,9 @@ PointFields copy_state(const MaterialPoints& points, const ScalarField& volume, 
 std::vector<float> place_tool(const Tool& tool, const ToolPose& pose) {
   std::vector<float> out;
   const double c = std::cos(double(pose.angle)), s = std::sin(double(pose.angle));
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tool.vertex);
-  for (int f = 0; f < tool.facets; ++f)
+  const bool has_patches = tool.surface.patches > 0;
+  const auto vertex = host_copy(has_patches ? tool.surface.corner : tool.vertex);
+  for (int f = 0; f < (has_patches ? tool.surface.patches : tool.facets); ++f)
     for (int k = 0; k < 3; ++k) {
       const double x = vertex(f, k, 0), y = vertex(f, k, 1);
       out.push_back(float(c * x - s * y + pose.position.x));
@@ -66,6 +68,18 @@ std::vector<float> place_tool(const Tool& tool, const ToolPose& pose) {
 }
 
 } // namespace
+
+ToolFields copy_tool_fields(const Tool& tool, double duration) {
+  const auto shown = host_copy(show_tool_surface(tool, Real(duration)));
+  const auto column = [&](ShownOnTool which, bool is_known) {
+    std::vector<float> out;
+    for (std::size_t p = 0; is_known && p < shown.extent(0); ++p) out.push_back(float(shown(p, which)));
+    return out;
+  };
+  return {column(shown_temperature, tool.heat.cells > 0), column(shown_pressure, true),
+          column(shown_speed, true), column(shown_friction, true),
+          column(shown_wear, tool.surface.wear_A > 0)};
+}
 
 FrameData copy_frame(const Particles& particles, const HexMesh& hexes, const Tool& tool,
                      const ToolPose& pose) {

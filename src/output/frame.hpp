@@ -32,17 +32,25 @@ struct FrameHexes {
   PointFields state;
 };
 
+// Of each facet that is drawn, a patch of the tool's surface (tool_surface.hpp); empty: not known.
+struct ToolFields {
+  std::vector<float> temperature, contact_pressure, sliding_speed, friction_power, wear_depth; // SI
+};
+
 struct FrameData {
   double time = 0;                 // s
   std::optional<double> immersion; // deg; none for scenes without a spindle
   FrameParticles particles;
   FrameHexes hexes;
-  std::vector<float> tool; // corners of its facets in the world, 9 a facet
+  std::vector<float> tool; // corners of its patches in the world, 9 a patch
+  ToolFields tool_fields;
 };
 
 // Copies particles (without the tied ones and the images), hexes and the tool where it stands. time and
-// immersion are left to the caller. The tool has 0 facets in scenes without one.
+// immersion are left to the caller, and what copy_tool_fields gives. The tool has 0 facets in scenes without
+// one.
 FrameData copy_frame(const Particles& particles, const HexMesh& hexes, const Tool& tool,
                      const ToolPose& pose);
+ToolFields copy_tool_fields(const Tool& tool, double duration); // of what was gathered in it, s
 
 } // namespace swarf

@@ -81,13 +81,15 @@ void parse_row(std::string_view line, long number, const fs::path& file, History
     if (error != std::errc{} || end != field.data() + field.size() || column >= table.columns.size())
       throw ResultsError(
           fmt::format("{}:{}: expected {} numbers, found '{}' as number {}; the file was damaged after "
-                      "the run, restart from the checkpoint to write it anew",
+                      "the run, copy it again or start the run anew with --overwrite",
                       file.string(), number, table.columns.size(), field, column + 1));
     table.values[column++].push_back(value);
   });
   if (column != table.columns.size())
-    throw ResultsError(fmt::format("{}:{}: expected {} numbers, found {}; the file was damaged after the run",
-                                   file.string(), number, table.columns.size(), column));
+    throw ResultsError(
+        fmt::format("{}:{}: expected {} numbers, found {}; the file was damaged after the run, "
+                    "copy it again or start the run anew with --overwrite",
+                    file.string(), number, table.columns.size(), column));
 }
 
 } // namespace
@@ -122,6 +124,8 @@ HistoryFile::HistoryFile(const fs::path& file, int number_of_teeth, long rows)
                     "checkpoint was written in",
                     file.string()));
   std::size_t end = 0;
+  HistoryTable kept; // read now: a damaged row would otherwise be found when the run has ended
+  kept.columns = history_columns(teeth), kept.values.resize(kept.columns.size());
   for (long line = 0; line <= rows; ++line) {
     const auto newline = text.find('\n', end);
     if (newline == text.npos)
@@ -129,6 +133,7 @@ HistoryFile::HistoryFile(const fs::path& file, int number_of_teeth, long rows)
           fmt::format("{}: holds {} samples, the checkpoint was written after {}; the history was "
                       "changed after the run, start the run again",
                       file.string(), line - 1, rows));
+    if (line > 0) parse_row(std::string_view(text).substr(end, newline - end), line + 1, file, kept);
     end = newline + 1;
   }
   descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
@@ -190,6 +195,16 @@ HistoryTable read_history(const fs::path& file) {
   return table;
 }
 
+void write_table(const HistoryTable& table, const fs::path& file) {
+  std::string text = header_line(table.columns);
+  std::vector<double> row(table.columns.size());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] = table.values[c][i];
+    text += row_line(row);
+  }
+  write_file(file, text);
+}
+
 HistoryTable filter_history(const HistoryTable& history, double frequency) {
   const auto& time = history.at("time");
   if (frequency <= 0) frequency = default_filter_frequency(time);
@@ -212,13 +227,7 @@ void write_history_results(const ResultsFolder& results, double filter_frequency
   const HistoryTable filtered = filter_history(history, filter_frequency);
   write_history_hdf5(results.results(), history, filtered);
 
-  std::string text = header_line(filtered.columns);
-  std::vector<double> row(filtered.columns.size());
-  for (std::size_t i = 0; i < filtered.rows(); ++i) {
-    for (std::size_t c = 0; c < row.size(); ++c) row[c] = filtered.values[c][i];
-    text += row_line(row);
-  }
-  write_file(results.filtered_history(), text);
+  write_table(filtered, results.filtered_history());
 }
 
 } // namespace swarf

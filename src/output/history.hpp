@@ -71,6 +71,8 @@ struct HistoryTable {
   const std::vector<double>& at(const std::string& column) const; // ResultsError if it is not there
 };
 
+void write_table(const HistoryTable& table, const std::filesystem::path& file);
+
 // A last line without its end (a run killed in the middle of a write) is left out.
 HistoryTable read_history(const std::filesystem::path& file);
 

@@ -4,9 +4,19 @@
 
 namespace swarf {
 
+std::string facets_text(const Scene& scene) {
+  if (scene.tool_facets.empty()) return "";
+  std::string corners;
+  for (const auto& facet : scene.tool_facets)
+    for (const Triple& corner : facet)
+      corners.append(reinterpret_cast<const char*>(corner.data()), 3 * sizeof(corner[0]));
+  return fmt::format("facets = {} with the checksum {}", scene.tool_facets.size(), hash_text(corners));
+}
+
 std::string restart_text(const Deck& deck, const Scene& scene) {
   Deck physics = deck;
   physics.title.clear(), physics.picked.reset(), physics.windows.reset();
+  physics.mechanistic.reset();
   physics.output = OutputDeck{};
   physics.output.force_scale = deck.output.force_scale; // of rows that are written already
   physics.run.accuracy.reset();
@@ -16,12 +26,7 @@ std::string restart_text(const Deck& deck, const Scene& scene) {
   if (physics.tool) physics.tool->file.clear();
   std::string text = resolved_deck(physics);
   if (!deck.tool) return text;
-  std::string corners;
-  for (const auto& facet : scene.tool_facets)
-    for (const Triple& corner : facet)
-      corners.append(reinterpret_cast<const char*>(corner.data()), 3 * sizeof(corner[0]));
-  return text + fmt::format("\n[the tool's surface]\nfacets = {} with the checksum {}\n",
-                            scene.tool_facets.size(), hash_text(corners));
+  return text + fmt::format("\n[the tool's surface]\n{}\n", facets_text(scene));
 }
 
 } // namespace swarf

@@ -33,7 +33,7 @@ hid_t memory_type(NumberType type) {
   return -1;
 }
 
-std::string describe(const Shape& shape, std::uint64_t any) {
+std::string describe(const Extents& shape, std::uint64_t any) {
   std::string text;
   for (const auto n : shape)
     text += (text.empty() ? "" : " x ") + (n == any ? std::string("any") : fmt::format("{}", n));
@@ -41,7 +41,7 @@ std::string describe(const Shape& shape, std::uint64_t any) {
 }
 
 // Chunks of about 1 MiB, each with its checksum. Empty arrays have no chunk.
-Hdf5Handle checksummed_layout(const Shape& shape, std::size_t bytes_per_number) {
+Hdf5Handle checksummed_layout(const Extents& shape, std::size_t bytes_per_number) {
   Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
   std::uint64_t total = 1;
@@ -133,7 +133,8 @@ void CheckpointWriter::fail(const std::string& what) {
                                  advice_on(is_limit ? EFBIG : ENOSPC)));
 }
 
-void CheckpointWriter::write(const std::string& name, const void* data, NumberType type, const Shape& shape) {
+void CheckpointWriter::write(const std::string& name, const void* data, NumberType type,
+                             const Extents& shape) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
   const Hdf5Handle space(H5Screate_simple(int(extent.size()), extent.data(), nullptr), H5Sclose);
   const hid_t number = memory_type(type);
@@ -195,7 +196,7 @@ bool CheckpointReader::has(const std::string& name) const {
   return H5Lexists(file.id, name.c_str(), H5P_DEFAULT) > 0;
 }
 
-Shape CheckpointReader::shape(const std::string& name) const {
+Extents CheckpointReader::shape(const std::string& name) const {
   if (!has(name)) fail(fmt::format("has no dataset '{}'", name));
   const Hdf5Handle dataset(H5Dopen2(file.id, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!dataset.ok()) fail(fmt::format("is damaged: dataset '{}' cannot be opened", name));
@@ -205,8 +206,8 @@ Shape CheckpointReader::shape(const std::string& name) const {
   return {extent.begin(), extent.end()};
 }
 
-Shape CheckpointReader::check(const std::string& name, NumberType type, const Shape& expected) const {
-  const Shape found = shape(name);
+Extents CheckpointReader::check(const std::string& name, NumberType type, const Extents& expected) const {
+  const Extents found = shape(name);
   bool fits = found.size() == expected.size();
   for (std::size_t r = 0; fits && r < found.size(); ++r) fits = expected[r] == any || expected[r] == found[r];
   if (!fits)

@@ -19,7 +19,7 @@ struct HistoryTable;
 void write_history_hdf5(const std::filesystem::path& file, const HistoryTable& raw,
                         const HistoryTable& filtered);
 
-inline constexpr int checkpoint_version = 5;
+inline constexpr int checkpoint_version = 6;
 
 enum class NumberType { float32, float64, int32, uint32, int64, uint64 };
 
@@ -35,13 +35,13 @@ constexpr NumberType number_type() {
     return sizeof(T) == 4 ? NumberType::uint32 : NumberType::uint64;
 }
 
-using Shape = std::vector<std::uint64_t>;
+using Extents = std::vector<std::uint64_t>;
 
 template <class V>
 using RowMajor = Kokkos::View<typename V::non_const_data_type, Kokkos::LayoutRight, Kokkos::HostSpace>;
 
 template <class V>
-RowMajor<V> make_row_major(const Shape& shape) {
+RowMajor<V> make_row_major(const Extents& shape) {
   Kokkos::LayoutRight layout;
   for (std::size_t r = 0; r < V::rank; ++r) layout.dimension[r] = shape[r];
   return RowMajor<V>(Kokkos::view_alloc(Kokkos::WithoutInitializing, "checkpoint"), layout);
@@ -68,7 +68,7 @@ class CheckpointWriter {
   template <class Data, class... Properties>
   void put(const std::string& name, const Kokkos::View<Data, Properties...>& view) {
     using V = Kokkos::View<Data, Properties...>;
-    Shape shape;
+    Extents shape;
     for (std::size_t r = 0; r < V::rank; ++r) shape.push_back(view.extent(r));
     const auto rows = make_row_major<V>(shape);
     Kokkos::deep_copy(rows, Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view));
@@ -86,7 +86,7 @@ class CheckpointWriter {
   void finish();
 
  private:
-  void write(const std::string& name, const void* data, NumberType type, const Shape& shape);
+  void write(const std::string& name, const void* data, NumberType type, const Extents& shape);
   [[noreturn]] void fail(const std::string& what);
   std::filesystem::path name_of_file;
   Hdf5File file;
@@ -102,17 +102,17 @@ class CheckpointReader {
   // Throws ResultsError where what `name` holds cannot be.
   void require(bool is_possible, const std::string& name) const;
   bool has(const std::string& name) const;
-  Shape shape(const std::string& name) const;
+  Extents shape(const std::string& name) const;
 
   // Resizes the view to the stored rows; what the View's type fixes must agree, and the rows where they are
   // given: nothing is allocated before.
   template <class Data, class... Properties>
   void get(const std::string& name, Kokkos::View<Data, Properties...>& view, std::uint64_t rows = any) const {
     using V = Kokkos::View<Data, Properties...>;
-    Shape fixed;
+    Extents fixed;
     for (std::size_t r = 0; r < V::rank; ++r)
       fixed.push_back(r == 0 ? rows : r < V::rank_dynamic ? any : view.static_extent(r));
-    const Shape found = check(name, number_type<typename V::non_const_value_type>(), fixed);
+    const Extents found = check(name, number_type<typename V::non_const_value_type>(), fixed);
     const auto stored = make_row_major<V>(found);
     read(name, stored.data(), number_type<typename V::non_const_value_type>());
     typename V::array_layout layout;
@@ -134,7 +134,7 @@ class CheckpointReader {
   }
 
  private:
-  Shape check(const std::string& name, NumberType type, const Shape& expected) const; // the stored shape
+  Extents check(const std::string& name, NumberType type, const Extents& expected) const; // the stored shape
   void read(const std::string& name, void* data, NumberType type) const;
   [[noreturn]] void fail(const std::string& what) const;
   std::filesystem::path name_of_file;

@@ -37,4 +37,8 @@ class FrameSeries {
 // What frames.csv lists.
 std::vector<FrameEntry> read_frame_list(const ResultsFolder& results);
 
+// VTK's readers believe what a file says of its own lengths: only what the run wrote is shown to them. Throws
+// ResultsError.
+void check_frame_file(const std::filesystem::path& file, const FrameEntry& entry, const std::string& part);
+
 } // namespace swarf

@@ -33,13 +33,13 @@ struct Extent { // of what is drawn, along the axes of the image and of the worl
   }
 };
 
-Extent find_extent(const std::vector<LoadedFrame>& frames) {
+Extent find_extent(const std::vector<LoadedFrame>& frames, bool everything) {
   Extent extent;
-  for (const LoadedFrame& frame : frames)
-    if (frame.particles)
-      extent.add(frame.particles->GetBounds());
-    else if (frame.hexes)
-      extent.add(frame.hexes->GetBounds());
+  for (const LoadedFrame& frame : frames) {
+    if (frame.particles) extent.add(frame.particles->GetBounds());
+    if (frame.hexes && (everything || !frame.particles)) extent.add(frame.hexes->GetBounds());
+    if (frame.tool && everything) extent.add(frame.tool->GetBounds());
+  }
   return extent;
 }
 
@@ -62,7 +62,7 @@ Camera aim_camera(const PictureOptions& options, const std::vector<LoadedFrame>&
   camera.right = unit(cross(along_z ? y : z, camera.direction));
   camera.up = cross(camera.direction, camera.right);
 
-  const Extent extent = find_extent(frames);
+  const Extent extent = find_extent(frames, options.everything);
   double spacing = 0;
   for (const LoadedFrame& frame : frames) spacing = std::max(spacing, frame.spacing);
   const double across = 1.08 * extent.across(camera.right), upright = 1.08 * extent.across(camera.up);

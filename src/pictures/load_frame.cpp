@@ -1,5 +1,7 @@
 #include "src/pictures/render_view.hpp"
 
+#include "src/output/read_parts.hpp"
+
 #include <fmt/format.h>
 
 #include <vtkCallbackCommand.h>
@@ -31,21 +33,10 @@ void scale_points(vtkPointSet* set) {
   points->Modified();
 }
 
-// VTK's readers believe what a file says of its own lengths: only what the run wrote is shown to them.
-void check_bytes(const std::filesystem::path& file, const FrameEntry& entry, const std::string& part) {
-  const std::string bytes = read_text(file); // says what the system says if it is not there
-  const auto sum = entry.checksums.find(part);
-  if (sum != entry.checksums.end() && hash_text(bytes) != sum->second)
-    throw ResultsError(
-        fmt::format("{}: is not what the run wrote: it was changed or damaged since; copy it again, or "
-                    "resume the run from its checkpoint",
-                    file.string()));
-}
-
 template <class Reader>
 void read(Reader* reader, const std::filesystem::path& file, const FrameEntry& entry,
           const std::string& part) {
-  check_bytes(file, entry, part);
+  check_frame_file(file, entry, part);
   vtkNew<vtkCallbackCommand> quiet; // an observer keeps VTK from printing errors
   reader->AddObserver(vtkCommand::ErrorEvent, quiet);
   reader->SetParserErrorObserver(quiet);
@@ -63,9 +54,8 @@ void add_shown(vtkDataSetAttributes* data, const ShownField& field, const std::f
   if (!source) {
     std::string names;
     for (int k = 0; k < data->GetNumberOfArrays(); ++k) names += fmt::format(" {}", data->GetArrayName(k));
-    throw ResultsError(
-        fmt::format("{}: has no field '{}' to draw, only{}; set output.picture_field to one of them",
-                    file.string(), field.name, names));
+    throw ResultsError(fmt::format("{}: has no field '{}' to draw, only{}; ask for one of them",
+                                   file.string(), field.name, names));
   }
   vtkNew<vtkFloatArray> values;
   values->SetName(shown);
@@ -148,8 +138,29 @@ ShownField describe_field(const std::string& name) {
   if (name == "von_mises") return {name, "Von Mises stress [MPa]", 1e-6};
   if (name == "pressure") return {name, "Pressure [MPa]", 1e-6};
   if (name == "velocity") return {name, "Speed [m/s]", 1};
+  if (name == "contact_pressure") return {name, "Contact pressure [MPa]", 1e-6};
+  if (name == "sliding_speed") return {name, "Sliding speed [m/s]", 1};
+  if (name == "friction_power") return {name, "Friction power [W/mm\u00b2]", 1e-6};
+  if (name == "wear_depth") return {name, "Depth of wear [nm]", 1e9};
+  if (name == "material") return {name, "Material (row of the deck's)", 1};
   if (name == "damage") return {name, "Damage [-]", 1};
   return {name, name + " [SI]", 1};
+}
+
+vtkSmartPointer<vtkPolyData> load_tool(const ResultsFolder& results, const FrameEntry& entry,
+                                       const std::optional<ShownField>& field) {
+  const auto file = frame_file(results, entry.index, "tool");
+  vtkNew<vtkXMLPolyDataReader> reader;
+  read(reader.Get(), file, entry, "tool");
+  vtkSmartPointer<vtkPolyData> tool = reader->GetOutput();
+  if (field) add_shown(tool->GetCellData(), *field, file);
+  return tool;
+}
+
+void check_frame(const ResultsFolder& results, const FrameEntry& entry) {
+  for (const auto& [part, is_there] :
+       {std::pair{"particles", entry.particles}, {"hexes", entry.hexes}, {"tool", entry.tool}})
+    if (is_there) check_frame_file(frame_file(results, entry.index, part), entry, part);
 }
 
 LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, const ShownField& field) {
@@ -179,11 +190,7 @@ LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, co
       add_shown(grid->GetCellData(), field, file);
     frame.hexes = hex_surface(grid);
   }
-  if (entry.tool) {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    read(reader.Get(), frame_file(results, entry.index, "tool"), entry, "tool");
-    frame.tool = reader->GetOutput();
-  }
+  if (entry.tool) frame.tool = load_tool(results, entry, std::nullopt);
   return frame;
 }
 

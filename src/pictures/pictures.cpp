@@ -17,7 +17,13 @@ void draw_windows(const std::string& results) {
 }
 
 void draw_plots(const std::string& results) {
+  const ResultsFolder any{results};
   const bool has_windows = std::filesystem::exists(PassFolder{results}.table());
+  if (!has_windows && std::filesystem::exists(any.mechanistic()) && !std::filesystem::exists(any.history())) {
+    make_folder(any.pictures());
+    plot_mechanistic(any, any.pictures() / "mechanistic.png", {});
+    return;
+  }
   if (has_windows) draw_windows(results);
   if (has_windows && !std::filesystem::exists(ResultsFolder{results}.history())) return;
   const ResultsFolder folder = open_results(results);
@@ -25,6 +31,7 @@ void draw_plots(const std::string& results) {
   make_folder(folder.pictures());
   plot_forces(folder, folder.pictures() / "force.png", deck.output.published, deck.output.filter_frequency);
   plot_energies(folder, folder.pictures() / "energy.png");
+  plot_heat(folder, folder.pictures() / "heat.png");
 }
 
 void draw_all(const std::string& results) {

@@ -51,6 +51,9 @@ void plot_windows(const PassFolder& folder, const std::vector<LabelledForce>& pu
               0.006 * (right - left));
     }
   }
+  std::vector<double> model_at;
+  const Curve model = read_model(ResultsFolder{folder.path}.mechanistic(), left, right, model_at);
+  if (model_at.size() > 1) chart.add(model_at, model), curves.push_back(model);
   const auto [least, most] = vertical_range(curves, levels);
   chart.set_range(vtkAxis::LEFT, least, most);
   chart.set_range(vtkAxis::BOTTOM, left, right);

@@ -1,134 +1,21 @@
 #include "src/pictures/render.hpp"
 
 #include "src/files/say.hpp"
+#include "src/pictures/captions.hpp"
 #include "src/pictures/display.hpp"
 #include "src/pictures/png.hpp"
 #include "src/pictures/render_view.hpp"
 
 #include <fmt/format.h>
 
-#include <vtkActor2D.h>
-#include <vtkCellData.h>
-#include <vtkLineSource.h>
-#include <vtkPointData.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
-#include <vtkScalarBarActor.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
-
 #include <algorithm>
 #include <cmath>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace swarf {
 namespace fs = std::filesystem;
-namespace {
-
-constexpr int bar_height = 130; // pixels
-struct ColourRange {
-  double least, most, step;
-};
-
-// From the least value to the one that only 1 in 1000 particles exceeds, at round numbers.
-ColourRange find_range(const std::vector<LoadedFrame>& frames) {
-  std::vector<float> values;
-  for (const LoadedFrame& frame : frames)
-    for (vtkPolyData* part : {frame.particles.Get(), frame.hexes.Get()}) {
-      if (!part) continue;
-      for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(part->GetPointData()),
-                                         static_cast<vtkDataSetAttributes*>(part->GetCellData())})
-        if (vtkDataArray* array = data->GetArray("shown"))
-          for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-            if (std::isfinite(array->GetTuple1(i))) values.push_back(float(array->GetTuple1(i)));
-    }
-  if (values.empty()) return {0, 1, 0.2};
-  const auto quantile = [&](double share) {
-    const auto at = values.begin() + long(share * double(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return double(*at);
-  };
-  double least = quantile(0), most = quantile(0.999);
-  if (most <= least) most = quantile(1);
-  if (most <= least)
-    return {least, least + (least == 0 ? 1 : std::abs(least)), (least == 0 ? 1 : std::abs(least)) / 4};
-  const double power = std::pow(10, std::floor(std::log10(most - least))), leading = (most - least) / power;
-  const double step = power / (leading < 2 ? 10 : leading < 5 ? 5 : 2);
-  return {std::floor(least / step) * step, std::ceil(most / step) * step, step};
-}
-
-// Labels of the colour bar at round numbers: as many intervals as divide the range in whole steps, 3 to 7.
-int count_labels(ColourRange& range) {
-  int steps = int(std::lround((range.most - range.least) / range.step));
-  for (;; ++steps, range.most += range.step)
-    for (int intervals = 7; intervals >= 3; --intervals)
-      if (steps % intervals == 0) return intervals + 1;
-}
-
-void add_text(vtkRenderer* renderer, const std::string& words, int size, double x, double y,
-              bool centred = false) {
-  vtkNew<vtkTextActor> text;
-  text->SetInput(words.c_str());
-  text->GetTextProperty()->SetFontSize(size);
-  text->GetTextProperty()->SetColor(0, 0, 0);
-  text->GetTextProperty()->SetBackgroundColor(1, 1, 1);
-  text->GetTextProperty()->SetBackgroundOpacity(0.75);
-  if (centred) text->GetTextProperty()->SetJustificationToCentered();
-  text->SetPosition(x, y);
-  renderer->AddActor2D(text);
-}
-
-std::string frame_label(const FrameEntry& entry) {
-  if (entry.immersion) return fmt::format("immersion {:.1f}\u00b0", *entry.immersion);
-  return entry.time < 1e-3 ? fmt::format("{:.3g} \u00b5s", entry.time * 1e6)
-                           : fmt::format("{:.4g} ms", entry.time * 1e3);
-}
-
-// A bar of a round length, about a quarter of a view, at the lower left.
-void add_scale_bar(vtkRenderer* renderer, const Camera& camera) {
-  const double metres_per_pixel = 2 * camera.half_height / camera.height / units_per_metre;
-  const double wish = 160 * metres_per_pixel, power = std::pow(10, std::floor(std::log10(wish)));
-  const double length = wish >= 5 * power ? 5 * power : wish >= 2 * power ? 2 * power : power;
-  const double left = 30, right = left + length / metres_per_pixel, height = 40;
-  vtkNew<vtkLineSource> line;
-  line->SetPoint1(left, height, 0);
-  line->SetPoint2(right, height, 0);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputConnection(line->GetOutputPort());
-  vtkNew<vtkActor2D> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0, 0, 0);
-  actor->GetProperty()->SetLineWidth(6);
-  renderer->AddActor2D(actor);
-  const bool small = length < 0.999e-3;
-  const std::string words = fmt::format("{:.4g} {}", length * (small ? 1e6 : 1e3), small ? "\u00b5m" : "mm");
-  add_text(renderer, words, 26, (left + right) / 2, height + 14, true);
-}
-
-vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& title, int labels,
-                                    int picture_width) {
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1, 1, 1);
-  vtkNew<vtkScalarBarActor> bar;
-  bar->SetLookupTable(colours);
-  bar->SetOrientationToHorizontal();
-  bar->SetNumberOfLabels(labels);
-  bar->SetMaximumNumberOfColors(256);
-  bar->SetLabelFormat("%.4g");
-  bar->UnconstrainedFontSizeOn();
-  vtkTextProperty* text = bar->GetLabelTextProperty();
-  text->SetColor(0, 0, 0);
-  text->SetFontSize(24);
-  text->ItalicOff(), text->BoldOff(), text->ShadowOff();
-  const double width = std::min(0.55, 780.0 / picture_width);
-  bar->SetPosition(0.5 - width / 2, 0.06);
-  bar->SetWidth(width), bar->SetHeight(0.58);
-  bar->SetBarRatio(0.5);
-  renderer->AddActor2D(bar);
-  add_text(renderer, title, 26, picture_width / 2.0, bar_height - 38, true);
-  return renderer;
-}
-
-} // namespace
 
 std::vector<FrameEntry> choose_frames(const std::vector<FrameEntry>& frames,
                                       const std::vector<double>& immersion, const std::vector<double>& time) {
@@ -154,22 +41,46 @@ std::vector<FrameEntry> choose_frames(const std::vector<FrameEntry>& frames,
   return out;
 }
 
-void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& entries,
-                 const PictureOptions& options, const fs::path& png) {
+namespace {
+
+std::vector<vtkPolyData*> shown_parts(const std::vector<LoadedFrame>& frames) {
+  std::vector<vtkPolyData*> parts;
+  for (const LoadedFrame& frame : frames) parts.push_back(frame.particles), parts.push_back(frame.hexes);
+  return parts;
+}
+
+// What pictures of the same frames share.
+struct Look {
+  ShownField field;
+  Camera camera;
+  int labels;
+  vtkNew<vtkLookupTable> colours;
+};
+
+std::vector<LoadedFrame> load_frames(const ResultsFolder& results, const std::vector<FrameEntry>& entries,
+                                     const ShownField& field) {
   if (const std::string why_not = open_display(); !why_not.empty()) throw ResultsError(why_not);
-  const ShownField field = describe_field(options.field);
   std::vector<LoadedFrame> frames;
   for (const FrameEntry& entry : entries)
     if (entry.particles || entry.hexes) frames.push_back(load_frame(results, entry, field));
   if (frames.empty())
     throw ResultsError(results.path.string() + ": has no frames to draw; set output.frame_time or "
                                                "output.frame_immersion in the deck and run it again");
-  const Camera camera = aim_camera(options, frames);
-  ColourRange range = find_range(frames);
-  const int labels = count_labels(range);
-  const auto colours = make_colours(range.least, range.most);
+  return frames;
+}
 
-  const int n = int(frames.size()), columns = n <= 4 || n * camera.width <= 2600 ? n : (n + 1) / 2;
+Look find_look(const std::vector<LoadedFrame>& frames, const ShownField& field,
+               const PictureOptions& options) {
+  ColourRange range = find_range(shown_parts(frames));
+  const int labels = count_labels(range);
+  return {field, aim_camera(options, frames), labels, make_colours(range.least, range.most)};
+}
+
+// Views of frames first to last, side by side.
+void draw_views(const std::vector<LoadedFrame>& frames, std::size_t first, std::size_t last, const Look& look,
+                const fs::path& png) {
+  const Camera& camera = look.camera;
+  const int n = int(last - first) + 1, columns = n <= 4 || n * camera.width <= 2600 ? n : (n + 1) / 2;
   const int rows = (n + columns - 1) / columns;
   // Room for the scale and colour bars even where one narrow view stands alone.
   const int views_width = columns * camera.width, width = std::max(views_width, 800);
@@ -182,20 +93,84 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
   paper->SetBackground(1, 1, 1);
   window->AddRenderer(paper);
   for (int k = 0; k < n; ++k) {
-    const auto view =
-        make_view(frames[std::size_t(k)], camera, find_focus(camera, frames, std::size_t(k)), colours);
+    const std::size_t at = first + std::size_t(k);
+    const auto view = make_view(frames[at], camera, find_focus(camera, frames, at), look.colours);
     const double left = k % columns * camera.width + (width - views_width) / 2.0;
     const double bottom = height - (k / columns + 1.0) * camera.height, gap = 3; // white, between views
     view->SetViewport((left + gap) / width, (bottom + gap) / height, (left + camera.width - gap) / width,
                       (bottom + camera.height - gap) / height);
-    add_text(view, frame_label(frames[std::size_t(k)].entry), 30, 20, camera.height - 50);
+    add_text(view, frame_label(frames[at].entry), 30, 20, camera.height - 50);
     window->AddRenderer(view);
   }
-  const auto bar = make_colour_bar(colours, field.title, labels, width);
-  add_scale_bar(bar, camera);
+  const auto bar = make_colour_bar(look.colours, look.field.title, look.labels, width);
+  add_scale_bar(bar, 2 * camera.half_height / camera.height / units_per_metre);
   bar->SetViewport(0, 0, 1, double(bar_height) / height);
   window->AddRenderer(bar);
   write_png(window, png);
+}
+
+// Without those that are missing or damaged, which are said.
+std::vector<FrameEntry> list_sound(const ResultsFolder& results, std::vector<FrameEntry> frames) {
+  std::erase_if(frames, [&](const FrameEntry& entry) {
+    try {
+      check_frame(results, entry);
+      return false;
+    } catch (const ResultsError& error) {
+      complain("warning: no picture of frame {}: {}", entry.index, error.what());
+      return true;
+    }
+  });
+  return frames;
+}
+
+PictureOptions options_of(const Deck& deck) {
+  return {deck.output.picture_field, deck.output.picture_view, 0};
+}
+
+// Debian's ffmpeg, from numbered pictures; "" or what went wrong.
+std::string make_film(const fs::path& pictures, int per_second, const fs::path& film) {
+  const std::string rate = std::to_string(per_second), pattern = (pictures / "%04d.png").string();
+  std::vector<std::string> words{
+      "ffmpeg",     "-y",         "-loglevel", "error",   "-framerate",
+      rate,         "-i",         pattern,     "-vf",     "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+      "-c:v",       "libx264",    "-pix_fmt",  "yuv420p", "-movflags",
+      "+faststart", film.string()};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawnp(&child, "ffmpeg", nullptr, nullptr, arguments.data(), environ) != 0)
+    return "there is no ffmpeg; install it (Debian: ffmpeg)";
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || status != 0) return "ffmpeg could not make it, see above";
+  return "";
+}
+
+} // namespace
+
+void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& entries,
+                 const PictureOptions& options, const fs::path& png) {
+  const ShownField field = describe_field(options.field);
+  const std::vector<LoadedFrame> frames = load_frames(results, entries, field);
+  draw_views(frames, 0, frames.size() - 1, find_look(frames, field, options), png);
+}
+
+void render_film(const std::string& results_folder) {
+  const ResultsFolder results = open_results(results_folder);
+  const PictureOptions options = options_of(read_deck(results.deck().string(), results.tool().string()));
+  const ShownField field = describe_field(options.field);
+  const std::vector<LoadedFrame> frames =
+      load_frames(results, list_sound(results, read_frame_list(results)), field);
+  const Look look = find_look(frames, field, options);
+  const fs::path single = results.pictures() / "film", film = results.pictures() / "chip.mp4";
+  make_folder(single);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    draw_views(frames, k, k, look, single / fmt::format("{:04d}.png", k));
+  const int per_second = std::clamp(int(frames.size()) / 8, 4, 25); // about eight seconds
+  const std::string why_not = make_film(single, per_second, film);
+  fs::remove_all(single);
+  if (!why_not.empty()) throw ResultsError(fmt::format("{}: no film: {}", film.string(), why_not));
+  say("film: {}, {} frames, {} a second\n", film.string(), frames.size(), per_second);
 }
 
 bool render_strip(const std::string& results_folder) {
@@ -208,14 +183,17 @@ bool render_strip(const std::string& results_folder) {
   make_folder(results.pictures());
   std::vector<double> angles = deck.output.picture_immersion;
   for (double& angle : angles) angle *= 180 / M_PI;
-  const auto chosen = choose_frames(read_frame_list(results), angles, deck.output.picture_time);
-  const PictureOptions options{deck.output.picture_field, deck.output.picture_view, 0};
+  const auto wanted = choose_frames(read_frame_list(results), angles, deck.output.picture_time);
+  const auto chosen = list_sound(results, wanted);
+  if (chosen.empty() && !wanted.empty())
+    throw ResultsError(fmt::format("{}: not one of the frames to draw is whole", results.frames().string()));
+  const PictureOptions options = options_of(deck);
   draw_frames(results, chosen, options, results.pictures() / "chip.png");
   for (const FrameEntry& entry : chosen)
     if (entry.particles || entry.hexes)
       draw_frames(results, {entry}, options,
                   results.pictures() / fmt::format("chip_{:04d}.png", entry.index));
-  return true;
+  return chosen.size() == wanted.size();
 }
 
 } // namespace swarf

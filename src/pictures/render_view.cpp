@@ -104,9 +104,14 @@ void add_tool(vtkRenderer* renderer, const LoadedFrame& frame, const Camera& cam
   body->GetProperty()->SetSpecularPower(30);
   if (!camera.section) body->GetProperty()->SetOpacity(0.45);
   renderer->AddActor(body);
+  renderer->AddActor(line_actor(solid));
+}
 
+} // namespace
+
+vtkNew<vtkActor> line_actor(vtkPolyData* surface) {
   vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(solid);
+  edges->SetInputData(surface);
   edges->SetFeatureAngle(35);
   edges->ManifoldEdgesOff();
   edges->ColoringOff();
@@ -118,10 +123,8 @@ void add_tool(vtkRenderer* renderer, const LoadedFrame& frame, const Camera& cam
   lines->GetProperty()->SetColor(0.2, 0.22, 0.26);
   lines->GetProperty()->SetLineWidth(2);
   lines->GetProperty()->LightingOff();
-  renderer->AddActor(lines);
+  return lines;
 }
-
-} // namespace
 
 // Dark blue over violet and orange to pale yellow, rising in lightness: reads in grey print and by all eyes.
 // Control colours after "inferno" and "plasma" of N. Smith and S. van der Walt (CC0).

@@ -2,6 +2,7 @@
 #pragma once
 #include "src/pictures/render.hpp"
 
+#include <vtkActor.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -9,6 +10,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 
 namespace swarf {
 
@@ -32,7 +34,13 @@ struct ShownField {
 };
 ShownField describe_field(const std::string& name);
 
+// Throws ResultsError that says which file is missing or damaged.
+void check_frame(const ResultsFolder& results, const FrameEntry& entry);
 LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, const ShownField& field);
+// The tool alone; the field, of its patches, as "shown".
+vtkSmartPointer<vtkPolyData> load_tool(const ResultsFolder& results, const FrameEntry& entry,
+                                       const std::optional<ShownField>& field);
+vtkNew<vtkActor> line_actor(vtkPolyData* surface); // its sharp edges
 
 // What all views of a picture share.
 struct Camera {

@@ -69,7 +69,7 @@ void set_mesh(const Deck& deck, Scene& scene, const ConversionLayout& layout) {
     for (int node : of.hex[e])
       if (const double mass = layout.node_mass[std::size_t(node)]; mass > 0) {
         const int material = of.lattice[std::size_t(of.body[e])].material;
-        capacity(node) = Real(mass * deck.materials[std::size_t(material)].specific_heat);
+        capacity(node) = Real(mass * deck.materials[std::size_t(material)].specific_heat.value);
       }
   Kokkos::deep_copy(m.heat_capacity, capacity);
 }
@@ -105,14 +105,16 @@ struct HostPoints { // on the host, of particles or hexes
   explicit HostPoints(const MaterialPoints& p)
       : on_device(p), mass(host_copy(p.mass)), density(host_copy(p.density)),
         plastic_strain(host_copy(p.equivalent_plastic_strain)), rate(host_copy(p.plastic_strain_rate)),
-        temperature(host_copy(p.temperature)), damage(host_copy(p.damage)),
-        internal_work(host_copy(p.internal_work)), plastic_work(host_copy(p.plastic_work)),
-        stress(host_copy(p.stress)), L(host_copy(p.velocity_gradient)), material(host_copy(p.material)) {}
+        temperature(host_copy(p.temperature)), stress_temperature(host_copy(p.stress_temperature)),
+        damage(host_copy(p.damage)), internal_work(host_copy(p.internal_work)),
+        plastic_work(host_copy(p.plastic_work)), stress(host_copy(p.stress)),
+        L(host_copy(p.velocity_gradient)), material(host_copy(p.material)) {}
   void copy_back() const {
     const MaterialPoints& p = on_device;
     Kokkos::deep_copy(p.mass, mass), Kokkos::deep_copy(p.density, density);
     Kokkos::deep_copy(p.equivalent_plastic_strain, plastic_strain);
     Kokkos::deep_copy(p.plastic_strain_rate, rate), Kokkos::deep_copy(p.temperature, temperature);
+    Kokkos::deep_copy(p.stress_temperature, stress_temperature);
     Kokkos::deep_copy(p.damage, damage), Kokkos::deep_copy(p.internal_work, internal_work);
     Kokkos::deep_copy(p.plastic_work, plastic_work), Kokkos::deep_copy(p.stress, stress);
     Kokkos::deep_copy(p.velocity_gradient, L), Kokkos::deep_copy(p.material, material);
@@ -121,7 +123,8 @@ struct HostPoints { // on the host, of particles or hexes
   using Mirror = decltype(host_copy(std::declval<Field>()));
   using Scalars = Mirror<ScalarField>;
   MaterialPoints on_device;
-  Scalars mass, density, plastic_strain, rate, temperature, damage, internal_work, plastic_work;
+  Scalars mass, density, plastic_strain, rate, temperature, stress_temperature, damage, internal_work,
+      plastic_work;
   Mirror<SymmetricField> stress;
   Mirror<TensorField> L;
   Mirror<IndexField> material;
@@ -149,8 +152,12 @@ void take_over(const HostPoints& p, int i, const HostPoints& hex, int e, double 
                           (own_volume + volume));
   for (int c = 0; c < 9; ++c) p.L(i, c) = hex.L(e, c);
   p.density(i) = Real(mass / (own_volume + volume));
-  const double own_heat = own > 0 ? own * (double(p.temperature(i)) - base.particle) : 0;
-  p.temperature(i) = Real(base.particle + (own_heat + more * (double(hex.temperature(e)) - base.hex)) / mass);
+  const auto mix_heat = [&](const HostPoints::Scalars& to, const HostPoints::Scalars& from) {
+    const double own_heat = own > 0 ? own * (double(to(i)) - base.particle) : 0;
+    to(i) = Real(base.particle + (own_heat + more * (double(from(e)) - base.hex)) / mass);
+  };
+  mix_heat(p.temperature, hex.temperature);
+  if (p.stress_temperature.extent(0) > 0) mix_heat(p.stress_temperature, hex.stress_temperature);
   p.internal_work(i) += Real(more / hex_mass * double(hex.internal_work(e)));
   p.plastic_work(i) += Real(more / hex_mass * double(hex.plastic_work(e)));
   p.material(i) = hex.material(e);

@@ -71,8 +71,10 @@ class Collector {
     for (const FilledBody& b : bodies) particles += b.points.position.size(), nodes += b.hexes.node.size();
     faces.particle_bits.assign(particles, 0), faces.particle_host.assign(particles, -1);
     faces.node_bits.assign(nodes, 0);
+    faces.heated_bits.assign(particles, 0);
     for (const FilledBody& b : bodies) {
       hold_faces(b);
+      heat_faces(b);
       for (const auto& [low, high] : b.shape.face_names())
         b.has_particles() || b.deck->converts() ? add_planes(b, low, high) : void();
       if (!b.has_particles()) couple_faces(b);
@@ -129,6 +131,22 @@ class Collector {
           if (at->second[k] >= 0)
             faces.particle_host[std::size_t(body.first + members.at(face.face)[k])] =
                 body.first + at->second[k];
+    }
+  }
+
+  // Each has a row of its own; of hexes it knows its face.
+  void heat_faces(const FilledBody& body) {
+    for (const FaceDeck& face : body.deck->faces) {
+      if (!face.temperature) continue;
+      const std::size_t row = faces.heated.size();
+      if (row >= 32)
+        reject(deck, *body.deck, "faces." + face.face,
+               "is the 33rd face that heat goes through: expected at most 32. Let fewer have a temperature");
+      faces.heated.push_back({face.film ? Real(1 / *face.film) : Real(0), Real(*face.temperature)});
+      faces.heated_hexes.emplace_back(body.row, face.face);
+      if (!body.has_particles()) continue;
+      if (const auto at = body.points.faces.find(face.face); at != body.points.faces.end())
+        for (int member : at->second) faces.heated_bits[std::size_t(body.first + member)] |= 1u << row;
     }
   }
 

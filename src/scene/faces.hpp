@@ -2,6 +2,7 @@
 #pragma once
 #include "src/geometry/filled_body.hpp"
 #include "swarf/core/transform.hpp"
+#include "swarf/material/face_heat.hpp"
 
 namespace swarf {
 
@@ -9,9 +10,12 @@ struct Faces {
   std::vector<Constraint> constraints;
   std::vector<unsigned> particle_bits, node_bits; // bit b: row b of constraints
   std::vector<int> particle_host;                 // that a particle of a held row follows, or -1
-  std::vector<ImagePlane> planes;                 // of particles
-  std::vector<Transform> transforms;              // of nodes: from the master's place to the slave's
-  std::vector<std::array<int, 3>> coupled_nodes;  // master, slave, transform
+  std::vector<HeatedFace> heated;
+  std::vector<unsigned> heated_bits;                     // of particles: bit b: row b of heated
+  std::vector<std::pair<int, std::string>> heated_hexes; // of each row of heated: body, and face of it
+  std::vector<ImagePlane> planes;                        // of particles
+  std::vector<Transform> transforms;                     // of nodes: from the master's place to the slave's
+  std::vector<std::array<int, 3>> coupled_nodes;         // master, slave, transform
 };
 
 // fixed, velocity: all components of the nodes on the face, or of the first layer of particles.

@@ -3,6 +3,7 @@
 #include "swarf/hexes/hex8.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 
 namespace swarf {
 namespace {
@@ -96,6 +97,37 @@ void gather_corners(HexMesh& m, const std::vector<Hex>& hexes) {
 
 } // namespace
 
+HeatedNodes make_heated_nodes(const std::vector<FilledBody>& bodies, const Faces& faces) {
+  std::map<int, std::vector<std::pair<int, double>>> of_node; // face and area
+  for (std::size_t row = 0; row < faces.heated.size(); ++row) {
+    const FilledBody& b = bodies[std::size_t(faces.heated_hexes[row].first)];
+    const auto members = b.hexes.faces.find(faces.heated_hexes[row].second);
+    if (b.has_particles() || members == b.hexes.faces.end()) continue;
+    std::vector<double> area(b.hexes.node.size(), -1); // not of the face
+    for (int node : members->second) area[std::size_t(node)] = 0;
+    for (const SurfaceQuad& quad : find_surface(b.hexes)) {
+      const auto is_member = [&](int n) { return area[std::size_t(n)] >= 0; };
+      if (!std::all_of(quad.node.begin(), quad.node.end(), is_member)) continue;
+      for (int node : quad.node) area[std::size_t(node)] += 0.25 * area_of(b.hexes, quad).norm();
+    }
+    for (int node : members->second) of_node[b.first + node].emplace_back(int(row), area[std::size_t(node)]);
+  }
+  std::vector<int> node, start{0}, face;
+  std::vector<double> area;
+  for (const auto& [n, entries] : of_node) {
+    node.push_back(n);
+    for (const auto& [row, part] : entries) face.push_back(row), area.push_back(part);
+    start.push_back(int(face.size()));
+  }
+  HeatedNodes nodes;
+  nodes.count = int(node.size());
+  nodes.node = upload("heated_nodes.node", node), nodes.start = upload("heated_nodes.start", start);
+  nodes.face = upload("heated_nodes.face", face);
+  nodes.area = upload<ScalarField>("heated_nodes.area", int(area.size()),
+                                   [&](auto& f, int k) { f(k) = Real(area[std::size_t(k)]); });
+  return nodes;
+}
+
 HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, const Faces& faces) {
   const std::vector<Hex> hexes = list_hexes(deck, bodies);
   std::vector<Node> nodes;
@@ -121,8 +153,11 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
     m.nodal_temperature = upload<ScalarField>(
         "nodal_temperature", m.nodes, [&](auto& f, int a) { f(a) = Real(nodes[a].body->deck->temperature); });
   m.heat_capacity = upload<ScalarField>("heat_capacity", m.nodes, [&](auto& f, int a) {
-    f(a) = Real(mass[a] * deck.materials[std::size_t(nodes[a].body->material)].specific_heat);
+    f(a) = Real(mass[a] * deck.materials[std::size_t(nodes[a].body->material)].specific_heat.least());
   });
+  if (m.node_material.extent(0) > 0)
+    m.node_material =
+        upload<IndexField>("node_material", m.nodes, [&](auto& f, int a) { f(a) = nodes[a].body->material; });
 
   m.points.mass = upload<ScalarField>(
       "mass", n, [&](auto& f, int e) { f(e) = Real(density(hexes[e]) * hexes[e].volume); });
@@ -130,6 +165,8 @@ HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, c
       upload<ScalarField>("density", n, [&](auto& f, int e) { f(e) = Real(density(hexes[e])); });
   m.points.temperature = upload<ScalarField>(
       "temperature", n, [&](auto& f, int e) { f(e) = Real(hexes[e].body->deck->temperature); });
+  if (m.points.stress_temperature.extent(0) > 0)
+    Kokkos::deep_copy(m.points.stress_temperature, m.points.temperature);
   m.points.material =
       upload<IndexField>("material", n, [&](auto& f, int e) { f(e) = hexes[e].body->material; });
   m.volume = upload<ScalarField>("volume", n, [&](auto& f, int e) { f(e) = Real(hexes[e].volume); });

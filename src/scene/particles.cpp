@@ -50,6 +50,11 @@ bool uses(const Deck& deck, Method method) {
     return true;
   case Method::with_conduction:
     return conducts_heat(deck);
+  case Method::with_face_heat:
+    return heats_faces(deck);
+  case Method::with_heat_tables:
+    return std::any_of(deck.materials.begin(), deck.materials.end(),
+                       [](const MaterialDeck& m) { return !m.specific_heat.points.empty(); });
   case Method::with_hourglass_stiffness:
     return set.hourglass_stiffness > 0 && !initial;
   case Method::with_initial_frame:
@@ -64,6 +69,10 @@ bool uses(const Deck& deck, Method method) {
     return set.density == "summation";
   case Method::with_surface_gradient:
     return set.correction && set.correct_forces;
+  case Method::with_thermal_stress:
+    return stress_knows_heat(deck);
+  case Method::with_tool:
+    return deck.tool.has_value();
   case Method::with_tool_heat:
     return deck.tool && !deck.tool->material.empty();
   }
@@ -119,6 +128,12 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
   p.points.density = upload<ScalarField>("density", n, scalar(density));
   p.points.temperature =
       upload<ScalarField>("temperature", n, scalar([](const Row& r) { return r.temperature; }));
+  if (p.points.stress_temperature.extent(0) > 0)
+    Kokkos::deep_copy(p.points.stress_temperature, p.points.temperature);
+  if (p.heated_faces.extent(0) > 0)
+    p.heated_faces = upload<View<unsigned*>>("heated_faces", n, [&](auto& f, int i) {
+      f(i) = i < p.count ? faces.heated_bits[std::size_t(i)] : 0u;
+    });
   p.points.material = upload<IndexField>("material", n, index([](const Row& r) { return r.material; }));
   p.body = upload<IndexField>("body", n, index([](const Row& r) { return r.body->row; }));
   p.identity = upload<IndexField>("identity", n, [](auto& f, int i) { f(i) = i; });

@@ -27,6 +27,10 @@ Particles make_particles(const Deck& deck, const std::vector<FilledBody>& bodies
 // it goes to each node; periodic pairs share theirs equally. Throws DeckError for an inverted hex.
 HexMesh make_hex_mesh(const Deck& deck, const std::vector<FilledBody>& bodies, const Faces& faces);
 
+// The nodes on heated faces of hexes, with their share of each. A quad of the surface is of the face that all
+// of its nodes are on.
+HeatedNodes make_heated_nodes(const std::vector<FilledBody>& bodies, const Faces& faces);
+
 // The surface of the hexes that a tool may touch: not where particles are tied, nor on periodic and symmetric
 // planes. Rows of the scene's mesh.
 struct FreeQuad {

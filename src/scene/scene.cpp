@@ -4,6 +4,7 @@
 #include "src/scene/hex_conversion.hpp"
 #include "src/scene/parts.hpp"
 #include "src/tool/cells.hpp"
+#include "src/tool/surface.hpp"
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,12 +14,34 @@
 
 namespace swarf {
 
+namespace {
+
+TemperatureTable make_table(const OverTemperature& deck, double unit) {
+  TemperatureTable t;
+  t.points = int(deck.points.size());
+  for (int k = 0; k < t.points; ++k) {
+    const auto& [T, value] = deck.points[std::size_t(k)];
+    t.temperature[k] = Real(T), t.value[k] = Real(value / unit);
+    if (k > 0)
+      t.integral_to[k] = t.integral_to[k - 1] + Real(0.5) * (t.value[k - 1] + t.value[k]) *
+                                                    (t.temperature[k] - t.temperature[k - 1]);
+  }
+  return t;
+}
+
+} // namespace
+
 Material make_material(const MaterialDeck& deck) {
   Material m;
   m.density = Real(deck.density);
-  m.bulk_modulus = Real(deck.youngs_modulus / (3 * (1 - 2 * deck.poissons_ratio)));
-  m.shear_modulus = Real(deck.youngs_modulus / (2 * (1 + deck.poissons_ratio)));
-  m.specific_heat = Real(deck.specific_heat), m.conductivity = Real(deck.conductivity);
+  const double stiffest = deck.youngs_modulus.greatest();
+  m.bulk_modulus = Real(stiffest / (3 * (1 - 2 * deck.poissons_ratio)));
+  m.shear_modulus = Real(stiffest / (2 * (1 + deck.poissons_ratio)));
+  m.specific_heat = Real(deck.specific_heat.least()), m.conductivity = Real(deck.conductivity.greatest());
+  m.stiffness_table = make_table(deck.youngs_modulus, stiffest);
+  m.specific_heat_table = make_table(deck.specific_heat, 1);
+  m.conductivity_table = make_table(deck.conductivity, 1);
+  m.thermal_expansion = Real(deck.thermal_expansion);
   m.taylor_quinney = Real(deck.taylor_quinney);
   static const std::map<std::string, FlowLaw> laws = {{"linear_hardening", FlowLaw::linear_hardening},
                                                       {"johnson_cook", FlowLaw::johnson_cook},
@@ -51,9 +74,14 @@ Material make_material(const MaterialDeck& deck) {
 
 namespace {
 
-std::vector<FilledBody> fill_bodies(const Deck& deck) {
-  std::vector<Shape> shapes; // all counts are checked before the first body is filled
+std::vector<Shape> shapes_of(const Deck& deck) {
+  std::vector<Shape> shapes;
   for (const BodyDeck& body : deck.bodies) shapes.push_back(make_shape(deck, body));
+  return shapes;
+}
+
+std::vector<FilledBody> fill_bodies(const Deck& deck) {
+  const std::vector<Shape> shapes = shapes_of(deck); // all counts are checked before the first is filled
   check_memory(deck);
   std::vector<FilledBody> bodies;
   int particles = 0, nodes = 0, hexes = 0;
@@ -80,6 +108,15 @@ std::vector<FilledBody> fill_bodies(const Deck& deck) {
     bodies.push_back(std::move(filled));
   }
   return bodies;
+}
+
+// Failed points compare their density with that at the start; bodies of one material start alike (deck).
+MaterialTable make_materials(const Deck& deck, const std::vector<FilledBody>& bodies) {
+  return upload<MaterialTable>("materials", int(deck.materials.size()), [&](auto& f, int row) {
+    f(row) = make_material(deck.materials[std::size_t(row)]);
+    for (const FilledBody& b : bodies)
+      if (b.material == row) f(row).start_temperature = Real(b.deck->temperature);
+  });
 }
 
 // Particles have the identity of their row.
@@ -178,16 +215,25 @@ void add_tool(const Deck& deck, const std::vector<FilledBody>& bodies, Scene& sc
     cell = std::max(cell, b.has_particles() ? b.points.spacing : touches ? std::cbrt(share) : 0.0);
   }
   scene.tool = build_tool(surface, *deck.tool, 2 * cell);
+  scene.patch_spacing = scene.spacing > 0 ? scene.spacing : cell;
+  make_patches(deck, scene, end_time_of(deck));
   if (deck.tool->material.empty()) return;
-  std::vector<Shape> shapes;
-  for (const FilledBody& b : bodies) shapes.push_back(b.shape);
-  const HeatPlan plan = plan_tool_heat(deck, shapes, scene.spacing > 0 ? scene.spacing : cell);
+  const HeatPlan plan = plan_tool_heat(deck, shapes_of(deck), scene.patch_spacing);
   scene.tool.heat = build_tool_heat(scene.tool, surface, *deck.tool, plan);
   scene.tool.heat.first = IndexField("tool_first", std::size_t(scene.tool.heat.cells) + 1);
   scene.heat_reach = plan.reach;
 }
 
 } // namespace
+
+void make_patches(const Deck& deck, Scene& scene, double end) {
+  const double finest = scene.patch_spacing;
+  ToolSurface& patches = scene.tool.surface;
+  patches = build_tool_surface(make_surface(deck),
+                               {finest, find_distance_to_work(deck, shapes_of(deck), finest, end)});
+  patches.wear_A = Real(deck.tool->wear_A.value_or(0)), patches.wear_B = Real(deck.tool->wear_B.value_or(0));
+  scene.patch_end = end;
+}
 
 Scene build_scene(const Deck& deck) {
   if (deck.run.accuracy) throw std::logic_error("run.accuracy must be applied before the scene is built");
@@ -208,8 +254,7 @@ Scene build_scene(const Deck& deck) {
   check_sleep(deck, scene);
   const Faces faces = collect_faces(deck, bodies, scene.cutoff);
   const std::vector<TiedPoint> tied = tie_bodies(deck, bodies, scene.cutoff);
-  scene.materials = upload<MaterialTable>("materials", int(deck.materials.size()),
-                                          [&](auto& f, int m) { f(m) = make_material(deck.materials[m]); });
+  scene.materials = make_materials(deck, bodies);
   scene.particles = make_particles(deck, bodies, tied, faces);
   scene.hexes = make_hex_mesh(deck, bodies, faces);
   std::vector<int> hex_body;
@@ -226,6 +271,9 @@ Scene build_scene(const Deck& deck) {
   scene.constraints = upload<ConstraintTable>("constraints", int(faces.constraints.size()),
                                               [&](auto& f, int c) { f(c) = faces.constraints[c]; });
   scene.held_rows = make_held_rows(faces);
+  scene.heated_faces = upload<HeatedFaces>("heated_faces", int(faces.heated.size()),
+                                           [&](auto& f, int k) { f(k) = faces.heated[std::size_t(k)]; });
+  scene.heated_nodes = make_heated_nodes(bodies, faces);
   if (deck.tool) {
     add_tool(deck, bodies, scene);
     check_tool_outside(deck, scene);

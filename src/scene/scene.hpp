@@ -5,6 +5,7 @@
 #include "swarf/core/transform.hpp"
 #include "swarf/hexes/hex_mesh.hpp"
 #include "swarf/hexes/tie.hpp"
+#include "swarf/material/face_heat.hpp"
 #include "swarf/particles/held_rows.hpp"
 #include "swarf/particles/particles.hpp"
 #include "swarf/tool/tool.hpp"
@@ -26,14 +27,18 @@ struct Scene {
   TransformTable node_transforms;       // of hexes.coupled_nodes
   ConstraintTable constraints;
   HeldRows held_rows;
+  HeatedFaces heated_faces;
+  HeatedNodes heated_nodes;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
   int collapsed_facets = 0;                       // of the tool's file, left out
   Tool tool;
-  double heat_reach = 0;   // m, how far into the tool heat is followed; 0: it does not conduct
-  double spacing = 0;      // of the finest particles, m; 0 without particles
-  CellGrid lattice;        // of the finest particles: about one in each cell
-  double cutoff = 0;       // largest support 2 h + skin, m
-  double hex_diagonal = 0; // of the largest hex, m; 0 without hexes
+  double patch_spacing = 0; // m, that its surface's patches are made for, and
+  double patch_end = 0;     // s, until when it was asked where the work comes
+  double heat_reach = 0;    // m, how far into the tool heat is followed; 0: it does not conduct
+  double spacing = 0;       // of the finest particles, m; 0 without particles
+  CellGrid lattice;         // of the finest particles: about one in each cell
+  double cutoff = 0;        // largest support 2 h + skin, m
+  double hex_diagonal = 0;  // of the largest hex, m; 0 without hexes
   double skin = 0;
   std::shared_ptr<const HexConversion> conversion; // null: no hex becomes particles
   std::shared_ptr<const ConversionLayout> layout;  // null: none has yet
@@ -41,6 +46,10 @@ struct Scene {
 
 // Rows of the particles, awake and asleep, without the tied ones.
 std::vector<int> particle_rows(const Particles& particles);
+
+// The patches of the tool's surface for work that comes until `end`: a restart may end later than the run
+// that it goes on with, and needs those of that run.
+void make_patches(const Deck& deck, Scene& scene, double end);
 
 // Throws DeckError: zero particles, bodies that overlap, a tool inside the workpiece at the start, a periodic
 // slice thinner than the support, a tie that touches no hex, ...

@@ -6,6 +6,7 @@
 #include "swarf/region/sleep.hpp"
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace swarf {
@@ -71,8 +72,18 @@ void check_indices(const CheckpointReader& in, const Scene& scene, const Deck& d
   const int cells = scene.tool.heat.cells; // without any, there are no rows
   in.require(all_within(p.tool_cell, int(p.tool_cell.extent(0)), 0, cells - 1), "particles/tool_cell");
   in.require(all_within(m.tool_cell, int(m.tool_cell.extent(0)), 0, cells - 1), "hexes/tool_cell");
+  const int patches = scene.tool.surface.patches;
+  in.require(all_within(p.tool_patch, int(p.tool_patch.extent(0)), 0, patches - 1), "particles/tool_patch");
+  in.require(all_within(m.tool_patch, int(m.tool_patch.extent(0)), 0, patches - 1), "hexes/tool_patch");
   in.require(all_within(m.active, m.points.count, 0, 2), "hexes/active");
   in.require(bits_are_known(p.constraints, p.stored), "particles/constraints");
+  if (p.heated_faces.extent(0) > 0) {
+    const auto bits = host_copy(p.heated_faces);
+    const std::size_t faces = scene.heated_faces.extent(0); // 32 at most
+    bool known = true;
+    for (int i = 0; i < p.stored; ++i) known = known && (std::uint64_t(bits(i)) >> faces) == 0;
+    in.require(known, "particles/heated_faces");
+  }
   in.require(bits_are_known(m.constraints, m.nodes), "hexes/constraints");
 }
 
@@ -91,6 +102,11 @@ void Simulation::write_state(CheckpointWriter& out) const {
   });
   if (model.tool.heat.cells > 0)
     out.put("tool/temperature", model.tool.heat.temperature), out.put("tool/out", model.tool.heat.out);
+  if (deck.tool) {
+    out.put("tool/surface", model.tool.surface.sums);
+    out.put("shown_since", shown_since), out.put("patch_end", model.patch_end);
+  }
+  out.put("initial_tool_heat", initial_tool_heat);
   out.put("lists/build_position", first_rows(lists.build_position, rows));
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
   const Real* values = reinterpret_cast<const Real*>(&load);
@@ -150,6 +166,15 @@ void Simulation::read_state(const CheckpointReader& in) {
     read("tool/temperature", model.tool.heat.temperature, cells),
         read("tool/out", model.tool.heat.out, cells);
   }
+  if (deck.tool) {
+    double end = 0;
+    in.get("patch_end", end);
+    in.require(end > 0 && std::isfinite(end), "patch_end");
+    if (end != model.patch_end) make_patches(deck, model, end);
+    read("tool/surface", model.tool.surface.sums, model.tool.surface.patches);
+    in.get("shown_since", shown_since);
+  }
+  in.get("initial_tool_heat", initial_tool_heat);
   check_indices(in, model, deck);
   VectorField built;
   in.get("lists/build_position", built, std::uint64_t(p.stored));
@@ -195,6 +220,8 @@ void Simulation::check_numbers(const CheckpointReader& in) const {
   in.require(next_check >= steps && next_check <= steps + most_unseen_steps, "next_check");
   in.require(steps_at_sample >= 0 && steps_at_sample <= steps, "steps_at_sample");
   in.require(is_time(particle_step), "particle_step"), in.require(is_time(pressure_time), "pressure_time");
+  in.require(is_time(shown_since) && shown_since <= now, "shown_since");
+  in.require(std::isfinite(initial_tool_heat), "initial_tool_heat");
   in.require(is_time(heat_time), "heat_time"), in.require(heat_step >= 0, "heat_step");
   in.require(!conducts || heat_time <= 1e6 * heat_step, "heat_step");
   in.require(double(contact_law.reference_step) >= 0, "reference_step");

@@ -31,14 +31,17 @@ ContactPoints contact_points_of(const Particles& p) {
           {},
           {},
           p.heat_to_tool,
-          p.tool_cell};
+          p.tool_cell,
+          p.on_tool,
+          p.tool_patch};
 }
 ContactPoints contact_points_of(const HexMesh& m) {
   return {m.nodes,         m.position,      m.velocity,       m.mass,
           m.contact_gap,   m.contact_area,  m.force,          m.friction_force,
           m.contact_force, m.friction_work, m.contact_energy, m.nodal_temperature,
-          IndexField(),    ScalarField(),   ScalarField(),    m.contact_heat,
-          m.heat_capacity, m.heat_to_tool,  m.tool_cell};
+          m.node_material, ScalarField(),   ScalarField(),    m.contact_heat,
+          m.heat_capacity, m.heat_to_tool,  m.tool_cell,      m.on_tool,
+          m.tool_patch};
 }
 
 void Simulation::step() {
@@ -47,7 +50,7 @@ void Simulation::step() {
   move();
   timer.mark("integrate");
   if (shift_is_due()) shift();
-  if (conversion_due || rest_due) take_contact_heat();
+  if (conversion_due || rest_due) take_contact_heat(), take_surface_sums();
   if (conversion_due) convert();
   if (rest_due) rest();
   if (lists_due) rebuild_lists();
@@ -176,10 +179,18 @@ void Simulation::press_tool() {
 
 void Simulation::take_contact_heat() {
   if (!deck.tool) return;
-  spread_contact_heat(model.tie, model.particles, model.hexes, model.node_transforms);
+  spread_contact_heat(model.tie, model.particles, model.hexes, model.node_transforms, model.materials);
   for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)}) {
     ensure_rows(model.tool.heat.source, points.heat_to_tool.extent(0));
     gather_tool_heat(points, model.tool.heat);
+  }
+}
+
+void Simulation::take_surface_sums() {
+  if (!deck.tool) return;
+  for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)}) {
+    ensure_rows(model.tool.surface.source, points.on_tool.extent(0));
+    gather_tool_surface(points, model.tool.surface);
   }
 }
 
@@ -193,10 +204,13 @@ void Simulation::conduct() {
   const Real dt = Real(heat_time / parts);
   for (int k = 0; k < parts; ++k) {
     conduct_heat(model.particles, lists, model.image_planes, model.materials, dt);
+    heat_faces(model.particles, model.heated_faces, model.materials, dt);
     hex_heat(model.hexes, model.materials, dt);
     gather_heat(model.tie, model.particles, model.hexes, model.materials);
+    heat_nodes(model.hexes, model.heated_nodes, model.heated_faces, model.materials, dt);
     couple_heat(model.hexes, model.node_transforms);
-    spread_temperature(model.tie, model.particles, model.hexes);
+    hold_temperatures(model.hexes, model.heated_nodes, model.heated_faces, model.materials);
+    spread_temperature(model.tie, model.particles, model.hexes, model.materials);
   }
   const int tool_parts = int(std::ceil(heat_time / tool_heat_step)); // 0 of a tool that does not conduct
   for (int k = 0; k < tool_parts; ++k) conduct_tool(model.tool.heat, Real(heat_time / tool_parts));

@@ -1,5 +1,7 @@
 // The model in time: one step, and what is looked at between steps.
 #pragma once
+#include "src/files/results.hpp"
+#include "src/output/frame.hpp"
 #include "src/output/history.hpp"
 #include "src/scene/scene.hpp"
 #include "src/simulation/phase_timer.hpp"
@@ -20,6 +22,9 @@ class Simulation {
  public:
   explicit Simulation(const Deck& deck);
 
+  // Before start(), not in a restart: the temperatures of the tool at the end of an earlier run, and what
+  // idling makes of them, where the deck asks for them. Throws ResultsError, DeckError.
+  void take_tool_temperature();
   void start();                              // lists and forces of the initial state
   void step();                               // the equations of one time step
   void cut_step(double end);                 // so that no step passes the end, and none is tiny
@@ -33,6 +38,10 @@ class Simulation {
   // Energies and extremes of the last check(), mean tool force since the last sample. Throws SimulationFault
   // where the run has made more energy than it was ever given.
   HistorySample sample();
+  // What the tool's surface has felt since the last call; at first since the start. Not const: it begins
+  // anew.
+  ToolFields take_tool_fields();
+  void write_tool_heat(const ResultsFolder&) const; // for a run that goes on with it (tool.temperature_from)
 
   double time() const { return now; }
   double immersion_deg() const { return deck.tool ? immersion(*deck.tool, now) : 0; }
@@ -70,6 +79,7 @@ class Simulation {
   void press_tool();
   void conduct();
   void take_contact_heat(); // what the contact has brought shows as temperature, of the work and of the tool
+  void take_surface_sums(); // what points have done to the tool's surface, to its patches
   void convert();           // hexes that are near to the tool or strained become particles
   void plan_conversion();
   double energy_in_contact();           // J, all there is, with the springs as the tool presses them now
@@ -113,6 +123,8 @@ class Simulation {
   double heat_step = 0, heat_time = 0; // s: stable step of conduction; time since the last one
   double tool_heat_step = 0;           // s: of conduction in the tool
   double initial_heat = 0;             // J, of the work above the temperature that heats are counted from
+  double initial_tool_heat = 0;        // J, the same of the tool
+  double shown_since = 0;              // s, what the surface of the tool has felt
   double now = 0, step_size = 0, mass_factor = 1;
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;

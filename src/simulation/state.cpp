@@ -161,6 +161,7 @@ void Simulation::check() {
   timer.restart();
   check_status();
   if (deck.tool && !conducts) take_contact_heat(); // else conduct() does, before it moves on
+  take_surface_sums();
   const StableStep limit = limit_step();
   if (limit.limiter < 0) fail("every hex that is awake has failed, and no particle is");
   step_size = deck.run.courant * double(limit.dt);
@@ -246,7 +247,7 @@ void Simulation::book_heat(HistorySample& s) const {
   const double lost = model.tool.heat.cells > 0 ? 0 : 1 - double(contact_law.heat_to_workpiece);
   s.plastic_heat = double(sums.plastic), s.heat_out = double(sums.out);
   s.work_heat = double(sums.work) - initial_heat;
-  s.tool_heat = double(sums.tool) + lost * s.frictional;
+  s.tool_heat = double(sums.tool) - initial_tool_heat + lost * s.frictional;
   if (sums.hottest_cell >= 0) {
     const auto at = host_copy(model.tool.heat.centre);
     s.tool_hottest = double(sums.tool_hottest);

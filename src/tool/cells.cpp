@@ -1,5 +1,6 @@
 #include "src/tool/cells.hpp"
 #include "src/geometry/upload.hpp"
+#include "swarf/kernels.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -119,13 +120,13 @@ ToolHeat build_tool_heat(const Tool& tool, const FacetSurface& surface, const To
   std::vector<double> capacity(cells.size(), 0);
   for (std::size_t k = 0; k < host.size(); ++k)
     if (cell[k] >= 0)
-      capacity[std::size_t(cell[k])] += material.density * material.specific_heat * octree.leaves[k].share *
-                                        octree.extent(octree.leaves[k].size).prod();
+      capacity[std::size_t(cell[k])] += material.density * material.specific_heat.value *
+                                        octree.leaves[k].share * octree.extent(octree.leaves[k].size).prod();
 
   ToolHeat heat;
   heat.cells = int(cells.size());
-  heat.conductivity = Real(material.conductivity), heat.start_temperature = Real(deck.temperature);
-  upload_links(heat, link_cells(octree, faces, cell, material.conductivity));
+  heat.conductivity = Real(material.conductivity.value), heat.start_temperature = Real(deck.temperature);
+  upload_links(heat, link_cells(octree, faces, cell, material.conductivity.value));
   heat.capacity = upload<ScalarField>("tool_capacity", heat.cells, [&](auto& f, int c) {
     const bool held =
         plan.held_beyond && plan.distance_to_work(cells[std::size_t(c)]->centre) > *plan.held_beyond;
@@ -150,6 +151,11 @@ ToolHeat build_tool_heat(const Tool& tool, const FacetSurface& surface, const To
   heat.low = {Real(octree.low.x()), Real(octree.low.y()), Real(octree.low.z())};
   heat.size = Real(octree.size), heat.finest = Real(plan.finest), heat.one_layer = octree.one_layer;
   return heat;
+}
+
+void idle_tool(const ToolHeat& heat, double time, double stable_step) {
+  const double parts = std::ceil(time / stable_step);
+  for (double k = 0; k < parts; ++k) conduct_tool(heat, Real(time / parts));
 }
 
 } // namespace swarf

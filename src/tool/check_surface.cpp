@@ -1,4 +1,4 @@
-#include "src/tool/geometry.hpp"
+#include "src/tool/flat_facets.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,6 @@
 namespace swarf {
 namespace {
 
-// A triangle flatter than this has no direction in the single precision of STL files.
-constexpr double least_height = 1e-6; // over the longest side
-
 std::string describe(const FacetSurface& surface, int f) {
   std::string text = fmt::format("facet {}", f + 1);
   for (int k = 0; k < 3; ++k) {
@@ -23,23 +20,13 @@ std::string describe(const FacetSurface& surface, int f) {
 }
 
 void check_areas(const FacetSurface& surface, const std::string& name) {
-  for (int f = 0; f < int(surface.facets.size()); ++f) {
-    const auto& [a, b, c] = surface.facets[f];
-    const auto side = [&](int from, int to) {
-      Triple d;
-      for (int k = 0; k < 3; ++k) d[k] = surface.vertices[to][k] - surface.vertices[from][k];
-      return d;
-    };
-    const Triple u = side(a, b), v = side(a, c), w = side(b, c);
-    const auto length = [](const Triple& t) { return std::hypot(t[0], t[1], t[2]); };
-    const double longest = std::max({length(u), length(v), length(w)});
-    const Triple n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    if (!(length(n) > least_height * longest * longest))
-      throw DeckError(
-          fmt::format("{}: {} has no area; remove it and join its neighbours, or export the surface "
-                      "again with coarser facets or more digits",
-                      name, describe(surface, f)));
-  }
+  for (int f = 0; f < int(surface.facets.size()); ++f)
+    if (is_flat(surface, surface.facets[f]))
+      throw DeckError(fmt::format(
+          "{}: {} has no area, and no neighbour along its longest side could take it over; remove "
+          "it and join its neighbours, or export the surface again with coarser facets or more "
+          "digits",
+          name, describe(surface, f)));
 }
 
 using Edge = std::pair<int, int>;

@@ -37,7 +37,9 @@ struct Passage {
       const double speed =
           (moving - velocity).norm() + std::abs(double(pose.angular_velocity)) * std::hypot(x.x(), x.y());
       if (least == 0 || t >= end || speed == 0) return least;
-      t = std::min(end, t + std::max({distance, tolerance, speed * end / 2000}) / speed);
+      const double next = t + std::max({distance, tolerance, speed * end / 2000}) / speed;
+      // The tool may go faster once it lifts off.
+      t = std::min(end, tool->lift_time && t < *tool->lift_time ? std::min(next, *tool->lift_time) : next);
     }
   }
 };
@@ -60,26 +62,32 @@ std::optional<std::array<double, 2>> find_slice(const Deck& deck) {
 
 } // namespace
 
-// 4 sqrt(alpha t): a step of temperature at the surface is felt there by half a per cent.
-HeatPlan plan_tool_heat(const Deck& deck, const std::vector<Shape>& shapes, double finest) {
-  HeatPlan plan;
-  plan.material = *find_material(deck, deck.tool->material);
-  const double diffusivity = plan.material.conductivity / plan.material.density / plan.material.specific_heat;
-  plan.finest = finest;
-  plan.reach = std::max(8 * finest, 4 * std::sqrt(diffusivity * end_time_of(deck)));
-  plan.held_beyond = deck.tool->held_beyond;
-  plan.slice = find_slice(deck);
+std::function<double(const Point&)> find_distance_to_work(const Deck& deck, const std::vector<Shape>& shapes,
+                                                          double finest, double end) {
   std::vector<Passage> passages;
   for (Shape shape : shapes) {
     shape.inner = [least = shape.inner_least](double, double) { return least; }; // the exact one takes longer
-    for (const Point& v : velocities_of(*shape.body))
-      passages.push_back({&*deck.tool, shape, v, end_time_of(deck)});
+    for (const Point& v : velocities_of(*shape.body)) passages.push_back({&*deck.tool, shape, v, end});
   }
-  plan.distance_to_work = [passages, finest](const Point& x) {
+  return [passages, finest](const Point& x) {
     double least = std::numeric_limits<double>::infinity();
     for (const Passage& p : passages) least = std::min(least, p.nearest(x, finest));
     return least;
   };
+}
+
+// 4 sqrt(alpha t): a step of temperature at the surface is felt there by half a per cent.
+HeatPlan plan_tool_heat(const Deck& deck, const std::vector<Shape>& shapes, double finest) {
+  HeatPlan plan;
+  plan.material = *find_material(deck, deck.tool->material);
+  const double diffusivity =
+      plan.material.conductivity.value / plan.material.density / plan.material.specific_heat.value;
+  plan.finest = finest;
+  plan.reach =
+      std::max(8 * finest, 4 * std::sqrt(diffusivity * deck.tool->heat_time.value_or(end_time_of(deck))));
+  plan.held_beyond = deck.tool->held_beyond;
+  plan.slice = find_slice(deck);
+  plan.distance_to_work = find_distance_to_work(deck, shapes, finest, end_time_of(deck));
   return plan;
 }
 

@@ -1,7 +1,7 @@
 // STL: binary (80 bytes, count, 50 bytes per facet, little endian; what follows is not read) or ASCII. The
 // stored normals are not read: the order of the corners tells the outside.
 #include "src/files/results.hpp"
-#include "src/tool/geometry.hpp"
+#include "src/tool/flat_facets.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 
 namespace swarf {
@@ -162,47 +162,77 @@ FacetSurface read_ascii(const std::string& bytes, const std::string& file, doubl
   return builder.take();
 }
 
-// The text of an ASCII file without what editors put before it; "" for a binary one, which may begin with
-// "solid", too.
-std::string find_text(const std::string& bytes) {
-  const std::string start = bytes.substr(0, 1024);
+// Where the text of an ASCII file begins, after what editors put before it; npos for a binary one, which may
+// begin with "solid", too.
+std::size_t find_text(const std::string& start) {
   std::size_t at = start.starts_with("\xef\xbb\xbf") ? 3 : 0;
   at = std::min(start.size(), start.find_first_not_of(" \t\r\n", at));
   while (at < start.size() && start[at] == '#') // comments
     at = std::min(start.size(), start.find_first_not_of(" \t\r\n", start.find_first_of("\r\n", at)));
   std::string word = start.substr(at, 5);
   for (char& c : word) c = char(std::tolower(static_cast<unsigned char>(c)));
-  if (word != "solid" || start.find('\0') != start.npos) return "";
-  return bytes.substr(at);
+  return word != "solid" || start.find('\0') != start.npos ? start.npos : at;
 }
 
-} // namespace
+// What a file is, from its size and its first bytes: nothing else is read before that is known.
+struct Kind {
+  bool is_text = false;
+  std::size_t begin = 0, end = 0; // bytes that matter
+  std::size_t facets = 0;         // of a binary one
+};
+constexpr std::size_t most_bytes = 2'000'000'000; // 40 million facets
 
-FacetSurface read_stl(const std::string& file, double metres_per_unit) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw DeckError(file + ": cannot be read; give tool.file as a path relative to the deck");
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.good() && !stream.eof()) throw DeckError(file + ": cannot be read to its end; is it a file?");
+std::string read_bytes(std::ifstream& stream, const std::string& file, std::size_t count) {
+  std::string bytes(count, '\0');
+  stream.clear(), stream.seekg(0);
+  if (!stream.read(bytes.data(), std::streamsize(count)))
+    throw DeckError(file + ": cannot be read to its end; is it a file?");
+  return bytes;
+}
+
+Kind find_kind(std::ifstream& stream, const std::string& file) {
+  std::error_code error;
+  const std::size_t size = std::filesystem::file_size(file, error);
+  if (!stream || error) throw DeckError(file + ": cannot be read; give its path relative to the deck");
+  const std::string start = read_bytes(stream, file, std::min<std::size_t>(size, 1024));
   std::uint32_t count = 0;
-  if (bytes.size() >= header_size) std::memcpy(&count, bytes.data() + 80, sizeof count);
-  const std::size_t expected = header_size + facet_size * count;
-  const bool is_exact = bytes.size() >= header_size && bytes.size() == expected;
-  const std::string text = is_exact ? "" : find_text(bytes);
-  FacetSurface surface;
-  if (!text.empty())
-    surface = read_ascii(text, file, metres_per_unit);
-  else if (bytes.size() >= header_size && bytes.size() >= expected && count > 0) // some pad their files
-    surface = read_binary(bytes, count, file, metres_per_unit);
-  else
+  if (size >= header_size) std::memcpy(&count, start.data() + 80, sizeof count);
+  const std::size_t expected = header_size + facet_size * count, text = find_text(start);
+  Kind kind{size != expected && text != start.npos, 0, expected, count};
+  if (kind.is_text)
+    kind.begin = text, kind.end = size;
+  else if (size < header_size || size < expected || count == 0) // some pad their files
     throw DeckError(fmt::format(
         "{}: neither an ASCII STL (begins with \"solid\") nor a whole binary one ({}); export or copy it "
         "again",
         file,
-        bytes.size() < header_size ? "it has less than the 84 bytes of a header"
-        : count == 0               ? "its header counts no facet"
-        : expected > 100 * bytes.size()
+        size < header_size ? "it has less than the 84 bytes of a header"
+        : count == 0       ? "its header counts no facet"
+        : expected > 100 * size
             ? "what would be its count of facets is none"
-            : fmt::format("{} facets need {} bytes, the file has {}", count, expected, bytes.size())));
+            : fmt::format("{} facets need {} bytes, the file has {}", count, expected, size)));
+  if (kind.end > most_bytes)
+    throw DeckError(
+        fmt::format("{}: is {:.3g} GB of facets: expected at most {:.3g} GB; export it with coarser "
+                    "facets",
+                    file, 1e-9 * double(kind.end), 1e-9 * double(most_bytes)));
+  return kind;
+}
+
+} // namespace
+
+std::string read_stl_bytes(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return read_bytes(stream, file, find_kind(stream, file).end);
+}
+
+FacetSurface read_stl(const std::string& file, double metres_per_unit) {
+  std::ifstream stream(file, std::ios::binary);
+  const Kind kind = find_kind(stream, file);
+  const std::string bytes = read_bytes(stream, file, kind.end);
+  FacetSurface surface = kind.is_text ? read_ascii(bytes.substr(kind.begin), file, metres_per_unit)
+                                      : read_binary(bytes, kind.facets, file, metres_per_unit);
+  take_out_flat_facets(surface);
   return surface;
 }
 

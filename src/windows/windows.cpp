@@ -81,6 +81,11 @@ void Cutter::check_tool() const {
         whole, windows, "",
         fmt::format("spread over the immersion of an end mill, and this deck has {}. Run it without windows",
                     whole.tool ? "a tool of kind \"" + whole.tool->kind + "\"" : "no tool"));
+  if (whole.tool->lift_time || !whole.tool->temperature_from.empty())
+    refuse(
+        whole, windows, "",
+        "are runs side by side that end in the cut: tool.lift_time and tool.temperature_from are for a whole "
+        "pass. Leave them out, or run this deck without windows");
   if (!whole.run.end_immersion)
     refuse(whole, windows, "", "need run.end_immersion instead of end_time: it says where the pass ends");
 }

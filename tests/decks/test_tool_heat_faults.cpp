@@ -54,3 +54,22 @@ TEST(DeckFaultsOfToolHeat, materials_and_keys_fit_together) {
                          with_tool(wc, conducting)),
                {"material.wc.youngs_modulus: does not apply to law = \"rigid\""});
 }
+
+// Keys that need a material, or each other.
+TEST(DeckFaultsOfToolHeat, handed_on_temperatures_wear_and_lifting_off) {
+  const auto with = [&](const std::string& keys) {
+    return edit_deck("[tool]", "[tool]\n" + keys, good_deck);
+  };
+  expect_fault(with("temperature_from = \"results/before\""),
+               {"tool.temperature_from: the tool has no material", "Give tool.material"});
+  expect_fault(with("heat_time = \"1 ms\""), {"tool.heat_time: the tool has no material"});
+  expect_fault(with("wear_A = \"1e-14 1/Pa\"\nwear_B = \"1000 K\""),
+               {"tool.wear_A: the tool has no material"});
+  expect_fault(with("wear_B = \"1000 K\""),
+               {"tool.wear_B: wear needs both of its constants", "Give the other"});
+  expect_fault(with("wear_A = \"1e-14 Pa\"\nwear_B = \"1000 K\""), {"tool.wear_A", "1/Pa"});
+  expect_fault(with("idle_time = \"1 ms\""), {"tool.idle_time: there is no run before this one"});
+  expect_fault(with("lift_time = \"1 us\""), {"tool.lift_time: the tool would stop in the cut"});
+  expect_fault(with("lift_velocity = [\"0 m/s\", \"1 m/s\", \"0 m/s\"]"),
+               {"tool.lift_velocity: nothing says when"});
+}

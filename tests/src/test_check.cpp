@@ -194,3 +194,74 @@ TEST(Check, gives_advice_that_helps) {
       << "40 um by 10 um are four";
   expect_words(edit(slice, {{"\"200 GPa\"", "200e9"}}), {"write youngs_modulus = \"200000000000 Pa\""}, 1);
 }
+
+TEST(Check, a_size_that_is_a_slip_names_its_key) {
+  expect_words(edit(slice, {{"[\"-25 um\", \"0 um\"", "[\"1e200 m\", \"0 um\""}}),
+               {"deck.toml:38: tool.position: entry 1: 1e+200 m is farther than the planets"}, 1);
+  expect_words(edit(slice, {{"height = \"100 um\"", "height = \"1e-200 m\""}}), {"tool.height: 1e-200 m"}, 1);
+  expect_words(edit(slice, {{"\"1 m/s\"", "\"1e200 m/s\""}}),
+               {"tool.velocity: entry 1: ", "faster than light"}, 1);
+}
+
+TEST(Check, frames_and_pictures_that_never_come) {
+  const auto with = [](const std::string& output) { return slice + "[output]\n" + output + "\n"; };
+  expect_words(with("frame_time = \"1 s\""), {"WARNING: output.frame_time is 3.33e+04 times the run"});
+  expect_words(with("frame_time = \"1e-15 s\""), {"WARNING: output.frame_time: 3e+10 frames"});
+  expect_words(with("checkpoint_time = \"1 s\""),
+               {"WARNING: output.checkpoint_time is 3.33e+04 times the run"});
+  expect_words(with("picture_time = [\"10 us\", \"1 s\"]"),
+               {"WARNING: output.picture_time: 1 s lies beyond the end of the run, 3e-05 s"});
+  EXPECT_THAT(check(with("picture_time = [\"30 us\"]\nframe_time = \"30 us\"")).output,
+              HasSubstr("fit to run"));
+}
+
+TEST(Check, constants_that_no_material_has_are_named) {
+  expect_words(edit(slice, {{"\"200 GPa\"", "\"200e15 GPa\""}, {"\"30 us\"", "\"1 s\""}}),
+               {"deck.toml:4: material.steel.youngs_modulus: E = 2e+26 Pa", "Look at the units"}, 1);
+  expect_words(edit(slice, {{"\"7800 kg/m3\"", "\"7.8e-15 kg/m3\""}, {"\"30 us\"", "\"1 s\""}}),
+               {"deck.toml:3: material.steel.density: "}, 1);
+}
+
+TEST(Check, particles_that_will_act_as_one_body) {
+  expect_words(blocks("particles", "particles", flies),
+               {"act as one body", "come together: from where they meet"});
+  expect_words(blocks("particles", "particles", above),
+               {"act as one body", "touch: their particles push and pull"});
+  const TemporaryFolder folder;
+  const Ended run =
+      run_program({"run", write_deck(folder, blocks("particles", "particles", flies)), "--output",
+                   (folder / "results").string(), "--threads", "1", "--no-pictures", "--stop-after", "1"});
+  EXPECT_THAT(run.output, HasSubstr("come together: from where they meet"));
+  const Ended hexes =
+      run_program({"run", write_deck(folder, blocks("hexes", "hexes", above)), "--output",
+                   (folder / "hexes").string(), "--threads", "1", "--no-pictures", "--stop-after", "1"});
+  EXPECT_THAT(hexes.output,
+              HasSubstr("warning: bodies \"lower\" of line 7 and \"upper\" of line 14 touch, and nothing"));
+}
+
+// Three million particles: worked out, not built.
+TEST(Check, a_large_deck_is_answered_at_once) {
+  expect_words(edit(slice, {{"spacing = \"10 um\"", "spacing = \"0.42 um\""}}),
+               {"cells of all bodies", "time step                          about",
+                "predicted run time                 about", "box of all its way",
+                "too many to build and look at here"});
+}
+
+// A sharp wedge of high rake, whose edge goes between nodes that are 20 um apart.
+TEST(Check, a_tool_that_goes_in_between_the_nodes) {
+  const std::string hexes = edit(slice, {{"fill = \"particles\"", "fill = \"hexes\""},
+                                         {"spacing = \"10 um\"\ntie = \"bulk\"", "spacing = \"20 um\""},
+                                         {"rake = \"10 deg\"", "rake = \"60 deg\""},
+                                         {"edge_radius = \"20 um\"", "edge_radius = \"1 um\""},
+                                         {"\"-25 um\", \"0 um\"", "\"-25 um\", \"8 um\""},
+                                         {"\"30 us\"", "\"60 us\""}});
+  expect_words(hexes, {"into the hexes between their nodes", "until then it is not felt"});
+}
+
+TEST(Check, draws_the_scene) {
+  const TemporaryFolder folder;
+  const std::string png = (folder / "scene.png").string();
+  const Ended end = run_program({"check", write_deck(folder, slice), "--threads", "1", "--picture", png});
+  if (end.status != 0) GTEST_SKIP() << end.output; // no display
+  EXPECT_GT(std::filesystem::file_size(png), 20000u);
+}

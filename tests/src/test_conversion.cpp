@@ -118,7 +118,7 @@ void add_motion(Totals& t, const VectorField& position, const VectorField& veloc
 }
 
 Totals totals_of(const Scene& scene) {
-  const double c = titanium().specific_heat;
+  const double c = titanium().specific_heat.value;
   Totals t;
   add_points(t, scene.particles.points, c), add_points(t, scene.hexes.points, c);
   add_motion(t, scene.particles.position, scene.particles.velocity, scene.particles.points.mass,
@@ -129,7 +129,7 @@ Totals totals_of(const Scene& scene) {
 
 // Where the nodes hold the heat: theirs, and what hexes and tied particles have got since (gather_heat.cpp).
 double heat_of_conducting(const Scene& scene) {
-  const double c = titanium().specific_heat;
+  const double c = titanium().specific_heat.value;
   const HexMesh& m = scene.hexes;
   const Particles& p = scene.particles;
   const auto node_T = host_copy(m.nodal_temperature), node_mass = host_copy(m.mass);

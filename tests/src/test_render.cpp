@@ -168,7 +168,7 @@ TEST(Render, says_what_cannot_be_drawn) {
   write_file(frame_file(results, 0, "particles"), "<VTKFile");
   EXPECT_THAT(error({}), AllOf(HasSubstr("frame_0000_particles.vtu"), HasSubstr("damaged")));
   fs::remove(frame_file(results, 0, "particles"));
-  EXPECT_THAT(error({}), HasSubstr("No such file"));
+  EXPECT_THAT(error({}), HasSubstr("is missing, though frames.csv lists it"));
   EXPECT_THAT(message_of<ResultsError>([&] { draw_frames(results, {}, {}, folder / "x.png"); }),
               HasSubstr("has no frames"));
 }

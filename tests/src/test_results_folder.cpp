@@ -5,6 +5,7 @@
 #include "src/output/history.hpp"
 #include "src/output/write_hdf5.hpp"
 #include "src/output/write_vtk.hpp"
+#include "src/pictures/render.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/small_deck.hpp"
 #include <gmock/gmock.h>
@@ -118,6 +119,17 @@ TEST_F(ResultsFolderOfARun, a_lock_ends_with_its_holder) {
   EXPECT_EQ(message_of<ResultsError>([&] { FolderLock again(results); }), "");
 }
 
+// The run would cut the other file short and write its own name into it.
+TEST_F(ResultsFolderOfARun, the_lock_follows_no_link) {
+  fs::create_directories(results);
+  std::ofstream(folder / "thesis.txt") << "of the user";
+  fs::create_symlink(folder / "thesis.txt", results / "swarf.lock");
+  const Ended end = run_program(plain_run(deck, results));
+  EXPECT_EQ(end.status, 1) << end.output;
+  EXPECT_THAT(end.output, HasSubstr("swarf.lock: is a link, a folder or a device"));
+  EXPECT_EQ(read_bytes(folder / "thesis.txt"), "of the user");
+}
+
 TEST_F(ResultsFolderOfARun, is_replaced_only_when_asked) {
   ASSERT_EQ(run_program(plain_run(deck, results)).status, 0);
   const std::string history = read_bytes(results / "history.csv");
@@ -182,6 +194,28 @@ TEST_F(ResultsFolderOfARun, says_which_frames_are_missing) {
 }
 
 // Bytes that VTK would believe: each is found before VTK sees it.
+// The pictures of the other frames are drawn, and the exit status says that one is not.
+TEST_F(ResultsFolderOfARun, a_frame_that_is_gone_or_empty_is_said) {
+  run_program(plain_run(deck, results));
+  const std::vector<FrameEntry> frames = read_frame_list(ResultsFolder{results});
+  ASSERT_GE(frames.size(), 3u);
+  const auto drawn = choose_frames(frames, {}, {});
+  const fs::path gone = frame_file(ResultsFolder{results}, drawn.front().index, "particles");
+  const fs::path empty = frame_file(ResultsFolder{results}, drawn.back().index, "particles");
+  fs::remove(gone);
+  std::ofstream(empty, std::ios::trunc).close();
+  const Ended end = run_program({"render", results.string()});
+  EXPECT_EQ(end.status, 1) << end.output;
+  if (end.output.find("no display") != std::string::npos || end.output.find("Xvfb") != std::string::npos)
+    GTEST_SKIP() << end.output;
+  EXPECT_THAT(end.output,
+              HasSubstr(gone.filename().string() + ": is missing, though frames.csv lists it; copy it"));
+  EXPECT_THAT(end.output, HasSubstr(empty.filename().string() + ": is not what the run wrote"));
+  EXPECT_THAT(end.output, Not(HasSubstr("output.frame_time")));
+  EXPECT_EQ(fs::exists(results / "pictures" / "chip.png"), drawn.size() > 2)
+      << "of the frames that are there";
+}
+
 TEST_F(ResultsFolderOfARun, damaged_frames_are_named) {
   ASSERT_EQ(run_program(plain_run(deck, results)).status, 0);
   const fs::path file = results / "frames/frame_0001_particles.vtu";
@@ -202,7 +236,7 @@ using EndOfARun = Folder;
 
 TEST_F(EndOfARun, every_signal_that_asks_for_it_leaves_a_checkpoint) {
   const std::string longer = write_deck(folder, edit_small_deck({{"86.5 deg", "89.5 deg"}}), "longer.toml");
-  for (const int signal : {SIGTERM, SIGHUP, SIGUSR1, SIGXCPU}) {
+  for (const int signal : {SIGTERM, SIGHUP, SIGUSR1, SIGXCPU, SIGQUIT, SIGALRM}) {
     fs::remove_all(results);
     Program run(plain_run(longer, results));
     while (run.runs() && read_bytes(results / "history.csv").size() < 20000) pause_for(0.005);

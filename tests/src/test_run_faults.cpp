@@ -121,6 +121,19 @@ TEST_F(RunFaults, history_cut_after_the_run) {
   expect_failure(run_program(run_arguments(deck, results, true)), 1, {"history.csv: holds 0 samples"});
 }
 
+// Not after the hours of the rest of the run.
+TEST_F(RunFaults, history_damaged_after_the_run) {
+  run_shortly(deck, results);
+  std::string text = read_bytes(results / "history.csv");
+  const auto third = text.find('\n', text.find('\n', text.find('\n') + 1) + 1) + 1;
+  text[third] = 'x';
+  std::ofstream(results / "history.csv", std::ios::binary) << text;
+  const auto before = read_folder(results);
+  expect_failure(run_program(run_arguments(deck, results, true)), 1,
+                 {"history.csv:4: expected ", " numbers, found 'x", "copy it again or start the run anew"});
+  EXPECT_TRUE(read_folder(results) == before);
+}
+
 TEST_F(RunFaults, output_folder_that_cannot_be) {
   std::ofstream(folder / "file") << "not a folder";
   expect_failure(run_program(run_arguments(deck, folder / "file" / "results")), 1,
@@ -144,7 +157,7 @@ TEST_F(RunFaults, full_disk_at_the_start) {
 TEST_F(RunFaults, full_disk_in_the_middle) {
   const std::string often = write_deck(folder, edit_small_deck({{"history_steps = 10", "history_steps = 1"},
                                                                 {"\"1.5 us\"", "\"1 s\""},
-                                                                {"86.5 deg", "88 deg"}}));
+                                                                {"86.5 deg", "98 deg"}}));
   run_shortly(often, results);
   const rlim_t limit = fs::file_size(results / "checkpoint.h5") + 20000;
   const Ended end = run_program(run_arguments(often, results), limit);

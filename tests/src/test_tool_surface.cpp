@@ -1,5 +1,6 @@
 // Faults of surfaces and STL files, each with the facet named; and files that come back as they went.
 #include "src/files/results.hpp"
+#include "src/tool/flat_facets.hpp"
 #include "tool_shapes.hpp"
 
 #include "support/temporary_folder.hpp"
@@ -204,6 +205,69 @@ TEST(Stl, CollapsedFacetsAreLeftOutAndCounted) {
   EXPECT_EQ(s.facets.size(), 4u);
   EXPECT_EQ(s.collapsed, 2);
   EXPECT_EQ(fault_of(s), "");
+}
+
+// As some programs write where a long side meets two short ones: (1, m, 2) lies in a line, m in the middle.
+TEST(Stl, FlatFacetsGoIntoTheirNeighbours) {
+  const TemporaryFolder folder;
+  FacetSurface with = make_tetrahedron();
+  with.vertices.push_back({0.5, 0.5, 0});
+  with.facets[0] = {0, 2, 4}; // (0, 2, 1) in two, with m; (1, 2, 3) stays whole and the flat one lies between
+  with.facets.push_back({0, 4, 1});
+  with.facets.push_back({1, 4, 2});
+  const std::string file = (folder / "t.stl").string();
+  write_stl(with, file);
+  const FacetSurface s = read_stl(file, 1);
+  EXPECT_EQ(fault_of(s), "");
+  EXPECT_EQ(s.collapsed, 1);
+  EXPECT_EQ(s.facets.size(), 6u) << "(1, 2, 3) is now two";
+  EXPECT_NEAR(enclosed_volume(s), 1.0 / 6, 1e-7);
+}
+
+// Two flat facets in a row, and two that lie on each other.
+TEST(Stl, SeveralFlatFacetsInARow) {
+  FacetSurface s = make_tetrahedron();
+  s.vertices.push_back({0.5, 0.5, 0}), s.vertices.push_back({0.25, 0.75, 0});
+  s.facets[0] = {0, 2, 5};
+  for (const auto& f : {std::array{0, 5, 4}, {0, 4, 1}, {1, 4, 2}, {4, 5, 2}}) s.facets.push_back(f);
+  take_out_flat_facets(s);
+  EXPECT_EQ(fault_of(s), "");
+  EXPECT_EQ(s.collapsed, 2);
+  EXPECT_NEAR(enclosed_volume(s), 1.0 / 6, 1e-12);
+  s = make_tetrahedron();
+  s.vertices.push_back({0.5, 0.5, 0});
+  s.facets.push_back({1, 4, 2}), s.facets.push_back({2, 4, 1});
+  take_out_flat_facets(s);
+  EXPECT_EQ(s.facets.size(), 4u);
+  EXPECT_EQ(fault_of(s), "");
+}
+
+// 20 GB that are mostly holes: only what the header counts is read.
+TEST(Stl, ReadsNoMoreThanTheHeaderCounts) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "t.stl").string();
+  write_stl(make_tetrahedron(), file);
+  std::error_code error;
+  std::filesystem::resize_file(file, 20'000'000'000, error);
+  if (error) GTEST_SKIP() << "this disk makes no sparse files";
+  EXPECT_EQ(read_stl(file, 1).facets.size(), 4u);
+  EXPECT_EQ(read_stl_bytes(file).size(), 84u + 4 * 50);
+  std::string header(84, '\0');
+  header[83] = 23; // 386 million facets, 19.3 GB
+  std::fstream(file, std::ios::binary | std::ios::in | std::ios::out) << header;
+  expect_text(message_of<DeckError>([&] { read_stl(file, 1); }), {"t.stl: is 19.3 GB of facets", "coarser"});
+}
+
+TEST(ToolSurface, SizesThatMakeNeedlesNameTheirKey) {
+  ToolDeck mill = make_mill();
+  mill.length = 1, mill.edge_radius = 1e-9;
+  const std::string fault = message_of<DeckError>([&] { make_tool_surface(mill, ""); });
+  expect_text(fault, {"tool.edge_radius: 1e-09 m makes facets of ", "Take at least ", "or a smaller length"});
+  mill.edge_radius = std::stod(fault.substr(fault.find("at least ") + 9));
+  EXPECT_NO_THROW(make_tool_surface(mill, "")) << "advice that works";
+  ToolDeck wedge = make_wedge_deck();
+  wedge.edge_radius = 0, wedge.width = 1e-9, wedge.height = 1;
+  expect_text(message_of<DeckError>([&] { make_tool_surface(wedge, ""); }), {"tool.width: makes facets of "});
 }
 
 TEST(Stl, EveryGeneratedToolComesBackWholeAndTwiceTheSame) {

@@ -2,14 +2,13 @@
 // projections, over all facets, in long double.
 #pragma once
 #include "src/tool/geometry.hpp"
+#include "tests/src/scene_decks.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace swarf::test {
 
-inline constexpr double pi = std::numbers::pi, degree = pi / 180;
 inline constexpr double coarse = sizeof(Real) == 8 ? 1 : 1e7; // float against double
 
 inline ToolDeck make_mill(int flutes = 2) { // Demiral & Mamedov (2022); angles and core assumed

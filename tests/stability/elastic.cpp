@@ -82,7 +82,8 @@ Outcome collide_ring(const Formulation& f) {
 Outcome bend_plate(const Formulation& f) {
   clamped_beam::Beam beam = clamped_beam::plate();
   const double nu = beam.material.poissons_ratio, thick = 4;
-  const double c0 = std::sqrt(beam.material.youngs_modulus / (3 * (1 - 2 * nu)) / beam.material.density);
+  const double c0 =
+      std::sqrt(beam.material.youngs_modulus.value / (3 * (1 - 2 * nu)) / beam.material.density);
   Deck deck = clamped_beam::clamped(default_deck(), beam, f.fill, int(thick));
   deck.run.courant = default_deck().run.courant;
   f.apply(deck);
@@ -213,7 +214,7 @@ Outcome disturb_lattice(const Formulation& f) {
   const Lattice lattice = lattice_of(scene, a);
   const auto index = block_index(least_corner(snapshot(scene)), a);
   const MaterialDeck& m = deck.materials[0];
-  const double shear_speed = std::sqrt(m.youngs_modulus / (2 * (1 + m.poissons_ratio)) / m.density);
+  const double shear_speed = std::sqrt(m.youngs_modulus.value / (2 * (1 + m.poissons_ratio)) / m.density);
   const double rate = 0.02 * pi * shear_speed / spinning_plate::side;
   set_velocity(scene, [&](const Triple& x) { return Triple{rate * x[0], -rate * x[1], 0}; });
   const bool particles = f.fill == "particles"; // nodes that a period couples move alike

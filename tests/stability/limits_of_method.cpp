@@ -19,7 +19,7 @@ void set_viscosity(Deck& deck, double linear) {
 
 double speed_of_waves(const MaterialDeck& m) {
   const double nu = m.poissons_ratio;
-  return std::sqrt(m.youngs_modulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / m.density);
+  return std::sqrt(m.youngs_modulus.value * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / m.density);
 }
 
 // A cube shaken at random, every mode at once: 600 steps, in which a mode that grows by 2 % a step grows by

@@ -46,8 +46,8 @@ inline void start_evenly(const Scene& scene, const Pull& pull) {
 // strain, e_p = 2/sqrt(3) (strain - elastic part), the section that of a volume that grows by sigma / 2K.
 // Even until the force is largest (Considere): at a strain of 1 - sqrt(3) Y / 2H.
 inline double engineering_stress(const MaterialDeck& mat, double strain) {
-  const double G = mat.youngs_modulus / (2 * (1 + mat.poissons_ratio)),
-               K = mat.youngs_modulus / (3 * (1 - 2 * mat.poissons_ratio));
+  const double G = mat.youngs_modulus.value / (2 * (1 + mat.poissons_ratio)),
+               K = mat.youngs_modulus.value / (3 * (1 - 2 * mat.poissons_ratio));
   const double c = 2 / std::sqrt(3.0), soft = 1 / (4 * G) + 1 / (6 * K), H = mat.hardening_modulus;
   const double sigma = c * (yield_stress + H * c * strain) / (1 + c * c * H * soft);
   return sigma * std::exp(sigma / (2 * K) - strain);

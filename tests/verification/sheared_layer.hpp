@@ -61,7 +61,7 @@ inline void harden(MaterialDeck& mat) {
 class Middle {
  public:
   Middle(const Shape& of, const MaterialDeck& mat)
-      : l(of), shear_modulus(mat.youngs_modulus / (2 * (1 + mat.poissons_ratio))) {}
+      : l(of), shear_modulus(mat.youngs_modulus.value / (2 * (1 + mat.poissons_ratio))) {}
 
   // Shear from the velocities on the way, stress over the last tenth.
   void look(const Scene& scene, double time) {

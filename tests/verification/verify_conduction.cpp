@@ -86,7 +86,7 @@ void set_nodal_temperature(const Scene& scene, const std::function<double(double
   const auto nodal = host_copy(scene.hexes.nodal_temperature), zero = host_copy(scene.hexes.nodal_heat);
   for (int a = 0; a < scene.hexes.nodes; ++a) nodal(a) = Real(T(x(a, 0))), zero(a) = 0;
   Kokkos::deep_copy(scene.hexes.nodal_temperature, nodal), Kokkos::deep_copy(scene.hexes.nodal_heat, zero);
-  spread_temperature(scene.tie, scene.particles, scene.hexes);
+  spread_temperature(scene.tie, scene.particles, scene.hexes, scene.materials);
 }
 
 void run(Simulation& simulation) {
@@ -157,7 +157,7 @@ TEST(VerifyConduction, FluxIntoHexes) {
       Kokkos::deep_copy(scene.hexes.nodal_temperature, T);
       // the hexes follow their nodes, or the next step would take the difference for their own heat
       Kokkos::deep_copy(scene.hexes.nodal_heat, 0);
-      spread_temperature(scene.tie, scene.particles, scene.hexes);
+      spread_temperature(scene.tie, scene.particles, scene.hexes, scene.materials);
     };
     simulation.start();
     while (simulation.time() < end * (1 - 1e-9)) {

@@ -89,7 +89,7 @@ struct Faults {
 Faults pairs_without_stiffness(const Stabiliser& with, bool two) {
   if (with.stiffness > 1 || (with.stiffness > 0 && !two)) return {};
   if (with.stiffness > 0) return {.rebound = soft_tension, .torn = soft_tension};
-  return {soft_tension, soft_tension, soft_tension, two ? "" : soft_tension, soft_tension};
+  return {soft_tension, soft_tension, soft_tension, soft_tension, soft_tension};
 }
 
 void report_bounce(const Case& c, const Bounce& ours, const Bounce& reference, int parts,

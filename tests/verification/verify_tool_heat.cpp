@@ -9,6 +9,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/verification/case.hpp"
 #include <cmath>
+#include <map>
 
 using namespace swarf;
 using namespace swarf::test;
@@ -100,6 +101,52 @@ Outcome run(const Meeting& m) {
           std::abs(s.heat_residual) / std::abs(s.tool_heat)};
 }
 
+// A tool that is handed on: temperatures at the end of one run, idling, and the start of the next. Reference:
+// the cosine series of an insulated slab (Carslaw & Jaeger 1959, ch. 3) from the profile that the first run
+// has left. Both runs have 40 us for heat to spread, so that the whole bar has cells.
+constexpr double idle = 20e-6;
+
+struct Profile {
+  std::vector<double> depth, temperature; // of the cells of one column, m and K, from the surface on
+};
+
+Profile profile_of(const ToolHeat& heat) {
+  const auto centre = host_copy(heat.centre);
+  const auto T = host_copy(heat.temperature);
+  std::map<double, std::pair<double, int>> layers;
+  for (int cell = 0; cell < heat.cells; ++cell) {
+    auto& [sum, count] = layers[-double(centre(cell, 0))];
+    sum += double(T(cell)), ++count;
+  }
+  Profile p;
+  for (const auto& [x, layer] : layers)
+    p.depth.push_back(x), p.temperature.push_back(layer.first / layer.second);
+  return p;
+}
+
+// Cells end halfway between the centres of equal ones, and where the sizes so far say.
+double slab_after(const Profile& p, double x, double t) {
+  const double alpha = k_tool / rho_tool / c_tool;
+  double at = 0;
+  for (int n = 0; n < 400; ++n) {
+    double coefficient = 0, from = 0;
+    for (std::size_t j = 0; j < p.depth.size(); ++j) {
+      const double to = 2 * p.depth[j] - from, w = n * pi / reach;
+      coefficient += p.temperature[j] *
+                     (n == 0 ? (to - from) / reach : 2 * (std::sin(w * to) - std::sin(w * from)) / (n * pi));
+      from = to;
+    }
+    at += coefficient * std::cos(n * pi * x / reach) * std::exp(-alpha * std::pow(n * pi / reach, 2) * t);
+  }
+  return at;
+}
+
+Deck meet_with_time(const TemporaryFolder& folder) {
+  Deck deck = meet({"hexes", 2 * um}, folder);
+  deck.tool->heat_time = 40e-6;
+  return deck;
+}
+
 const double together = e_work * e_tool / (e_work + e_tool);
 
 // J/m2
@@ -151,3 +198,34 @@ TEST(VerifyToolHeat, ParticlesThroughAConductance) { meet_at("particles", 1e6); 
 TEST(VerifyToolHeat, HexesThroughAConductance) { meet_at("hexes", 1e6); }
 TEST(VerifyToolHeat, FrictionOnParticlesDividesByEffusivity) { slide("particles"); }
 TEST(VerifyToolHeat, FrictionOnHexesDividesByEffusivity) { slide("hexes"); }
+
+TEST(VerifyToolHeat, IdlesAsASlabBetweenTwoRuns) {
+  const TemporaryFolder folder;
+  const ResultsFolder first{folder / "first"};
+  std::filesystem::create_directory(first.path);
+  Deck deck = meet_with_time(folder);
+  Simulation before(deck);
+  before.start();
+  while (before.time() < end) {
+    before.step();
+    if (before.steps_to_check() <= 0) before.check();
+  }
+  before.write_tool_heat(first);
+  const double stored = double(sum_heat(before.scene().tool.heat).tool);
+  const Profile left = profile_of(before.scene().tool.heat);
+
+  deck.tool->temperature_from = first.path.string(), deck.tool->idle_time = idle;
+  Simulation after(deck);
+  after.take_tool_temperature();
+  after.start();
+  const double kept = double(sum_heat(after.scene().tool.heat).tool);
+  const Profile now = profile_of(after.scene().tool.heat);
+  const std::string name = "11 heat into the tool, handed on";
+  report({name, "heat in the tool after 20 us of idling, over that before", "spacing 2 um", 1, "",
+          "conservation", kept / stored, std::abs(kept / stored - 1), 1e-9, true});
+  const double slab = slab_after(left, now.depth[0], idle) - cold, ours = now.temperature[0] - cold;
+  EXPECT_LT(ours, 0.7 * (left.temperature[0] - cold)) << "it has cooled";
+  report({name, "rise of the surface cell after 20 us of idling", "spacing 2 um", slab, "K",
+          "Carslaw & Jaeger 1959, ch. 3", ours, relative_error(ours, slab), 0.02});
+  EXPECT_EQ(after.sample().tool_heat, 0) << "the books begin after it";
+}

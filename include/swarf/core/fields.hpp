@@ -40,6 +40,8 @@ enum class Images {
 enum class Method {
   always,
   with_conduction,
+  with_face_heat,
+  with_heat_tables,
   with_hourglass_stiffness,
   with_initial_frame,
   with_pressure_diffusion,
@@ -47,6 +49,8 @@ enum class Method {
   with_sleep,
   with_summation,
   with_surface_gradient,
+  with_thermal_stress,
+  with_tool,
   with_tool_heat,
 };
 

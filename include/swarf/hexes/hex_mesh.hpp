@@ -1,6 +1,7 @@
 // The hexahedral bulk: 8 nodes, one integration point, lumped mass.
 #pragma once
 #include "swarf/material/material.hpp"
+#include "swarf/tool/tool_surface.hpp"
 
 namespace swarf {
 
@@ -22,19 +23,23 @@ struct HexMesh {
 
   VectorField position, velocity, force;     // nodes
   ScalarField mass;                          // lumped, kg, not mass-scaled
-  ScalarField heat_capacity;                 // lumped, J/K
+  ScalarField heat_capacity;                 // lumped, J/K; of a table of specific heat, where that is least
+  IndexField node_material;                  // row of the MaterialTable; 0 rows without such tables
   ScalarField nodal_temperature;             // K; 0 rows without conduction
   ScalarField nodal_heat;                    // J, of the last conduction, or of the contact
   ScalarField contact_heat;                  // J, that the contact has brought and no temperature shows yet
+  ScalarField face_heat;                     // J, that has come through heated faces; 0 rows without any
   View<Real* [8]> corner_heat;               // J, before the gather
   VectorField friction_force, contact_force; // nodes on the surface that may touch the tool
   ScalarField friction_work, external_work, contact_energy;
-  ScalarField heat_to_tool;    // J, not yet in the tool's cells; 0 rows without cells
-  IndexField tool_cell;        // of the tool, that the node touched last; 0 rows without cells
-  ScalarField contact_gap;     // m, 0: the node lies on the surface
-  ScalarField contact_area;    // m2, share of the surface; 0 for nodes inside: no contact
-  View<unsigned*> constraints; // bit b: row b of the ConstraintTable
-  ScalarField damping;         // 1/s, where sleep begins; 0 rows without it
+  ScalarField heat_to_tool;           // J, not yet in the tool's cells; 0 rows without cells
+  IndexField tool_cell;               // of the tool, that the node touched last; 0 rows without cells
+  View<Real* [surface_sums]> on_tool; // not yet on the tool's surface (tool_surface.hpp); 0 rows without tool
+  IndexField tool_patch;              // of the tool, that the node touched last
+  ScalarField contact_gap;            // m, 0: the node lies on the surface
+  ScalarField contact_area;           // m2, share of the surface; 0 for nodes inside: no contact
+  View<unsigned*> constraints;        // bit b: row b of the ConstraintTable
+  ScalarField damping;                // 1/s, where sleep begins; 0 rows without it
 
   // Gather: corners of node a are corner_of_node[corner_start[a] .. corner_start[a+1]), each 8 * hex +
   // corner.
@@ -64,11 +69,15 @@ struct HexMesh {
     visit("force", m.force, Facts<per_node, vector, history>());
     visit("nodal_mass", m.mass, Facts<per_node>());
     visit("heat_capacity", m.heat_capacity, Facts<per_node>());
+    visit("node_material", m.node_material, Facts<per_node, with_heat_tables>());
+    visit("face_heat", m.face_heat, Facts<per_node, history, with_face_heat>());
     visit("nodal_temperature", m.nodal_temperature, Facts<per_node, history, with_conduction>());
     visit("nodal_heat", m.nodal_heat, Facts<per_node>());
     visit("contact_heat", m.contact_heat, Facts<per_node, history>());
     visit("heat_to_tool", m.heat_to_tool, Facts<per_node, history, with_tool_heat>());
     visit("tool_cell", m.tool_cell, Facts<per_node, history, with_tool_heat>());
+    visit("on_tool", m.on_tool, Facts<per_node, history, with_tool>());
+    visit("tool_patch", m.tool_patch, Facts<per_node, history, with_tool>());
     visit("friction_force", m.friction_force, Facts<per_node, vector, history>());
     visit("contact_force", m.contact_force, Facts<per_node, vector, history>());
     visit("friction_work", m.friction_work, Facts<per_node, history>());

@@ -1,10 +1,22 @@
 // Fourier conduction, q = -k grad T, for particles and hexes. Pure functions; mass scaling does not enter.
 #pragma once
 #include "swarf/hexes/hex8.hpp"
+#include "swarf/hexes/hex_mesh.hpp"
+#include "swarf/material/thermal.hpp"
 
 namespace swarf {
 
-SWARF_FN Real heat_capacity(const Material& mat, Real mass) { return mass * mat.specific_heat; } // J/K
+// The same as warmed_by and heat_between (thermal.hpp) of node a of hexes.
+SWARF_FN Real node_warmed_by(const HexMesh& m, const MaterialTable& materials, int a, Real T, Real heat) {
+  if (m.node_material.extent(0) == 0) return T + heat / m.heat_capacity(a);
+  const Material& mat = materials(m.node_material(a));
+  return warmed_by(mat, m.heat_capacity(a) / mat.specific_heat, T, heat);
+}
+SWARF_FN Real node_heat_between(const HexMesh& m, const MaterialTable& materials, int a, Real from, Real to) {
+  if (m.node_material.extent(0) == 0) return m.heat_capacity(a) * (to - from);
+  const Material& mat = materials(m.node_material(a));
+  return heat_between(mat, m.heat_capacity(a) / mat.specific_heat, from, to);
+}
 
 // Explicit conduction is stable below 2 / (largest rate). On a cubic lattice that rate is at most 12 alpha /
 // h^2 for the pair sum (h = 1.2 spacings: sum_j of the weights is 6 alpha / h^2, twice that by Gershgorin)

@@ -4,6 +4,7 @@
 #include "swarf/material/laws/johnson_cook_tanh.hpp"
 #include "swarf/material/laws/linear_hardening.hpp"
 #include "swarf/material/laws/zerilli_armstrong.hpp"
+#include "swarf/material/temperature_table.hpp"
 
 namespace swarf {
 
@@ -16,7 +17,7 @@ struct DamageLaw {
   Real D1 = 0, D2 = 0, D3 = 0, D4 = 0, D5 = 0;
 };
 
-// SI throughout.
+// SI throughout. Where there is a table, the number beside it is that of the stable step (thermal.hpp).
 struct Material {
   FlowLaw law = FlowLaw::elastic;
   Real density = 0;        // kg/m3
@@ -30,6 +31,10 @@ struct Material {
   StrainSoftening strain_softening; // of johnson_cook_tanh
   ZerilliArmstrong zerilli_armstrong;
   DamageLaw damage;
+  TemperatureTable conductivity_table, specific_heat_table;
+  TemperatureTable stiffness_table; // share of both moduli
+  Real thermal_expansion = 0;       // 1/K, of a length, per length as it is
+  Real start_temperature = 0;       // K, at which the density is that of the unloaded material
 };
 
 SWARF_FN Real longitudinal_wave_speed(const Material& mat) {
@@ -49,6 +54,7 @@ struct MaterialPoints {
   ScalarField equivalent_plastic_strain; //
   ScalarField plastic_strain_rate;       // 1/s
   ScalarField temperature;               // K
+  ScalarField stress_temperature;        // K, that the stress knows of; 0 rows where it depends on none
   ScalarField damage;                    // 0 intact .. 1 failed
   ScalarField internal_work;             // J, integral of V stress : D dt
   ScalarField plastic_work;              // J, the plastic part of it
@@ -59,6 +65,7 @@ struct MaterialPoints {
     using enum Frame;
     using enum Life;
     using enum Images;
+    using enum Method;
     using enum Shifting;
     visit("material", p.material, Facts<history, in_find_shifts>());
     visit("mass", p.mass, Facts<history>());
@@ -69,6 +76,7 @@ struct MaterialPoints {
     visit("equivalent_plastic_strain", p.equivalent_plastic_strain, Facts<history, keeps_mass_sum>());
     visit("plastic_strain_rate", p.plastic_strain_rate, Facts<history>());
     visit("temperature", p.temperature, Facts<history, keeps_heat_sum>());
+    visit("stress_temperature", p.stress_temperature, Facts<history, with_thermal_stress>());
     visit("damage", p.damage, Facts<history, transported>());
     visit("internal_work", p.internal_work, Facts<history>());
     visit("plastic_work", p.plastic_work, Facts<history>());

@@ -1,6 +1,7 @@
 // One material update for particles and hexes: objective trial stress, radial return, heat and damage.
 #pragma once
 #include "swarf/material/flow_law.hpp"
+#include "swarf/material/thermal.hpp"
 
 namespace swarf {
 
@@ -63,9 +64,11 @@ SWARF_FN StepMotion step_motion(const Tensor3& L, Real dt) {
 
 // Jaumann rate of a hypoelastic solid. Half of the elastic increment turns with the step: second order in
 // time.
-SWARF_FN Symmetric3 trial_stress(const Material& mat, const Symmetric3& stress, const StepMotion& motion) {
-  const Real G = mat.shear_modulus;
-  const Real lambda_trace = (mat.bulk_modulus - Real(2) / Real(3) * G) * trace(motion.strain) * Real(0.5);
+// stiffness: share of the moduli at the point's temperature.
+SWARF_FN Symmetric3 trial_stress(const Material& mat, const Symmetric3& stress, const StepMotion& motion,
+                                 Real stiffness = 1) {
+  const Real G = stiffness * mat.shear_modulus, K = stiffness * mat.bulk_modulus;
+  const Real lambda_trace = (K - Real(2) / Real(3) * G) * trace(motion.strain) * Real(0.5);
   const Symmetric3 half = G * motion.strain + Symmetric3{lambda_trace, lambda_trace, lambda_trace, 0, 0, 0};
   return rotate(motion.rotation, stress + half) + half;
 }
@@ -127,12 +130,14 @@ SWARF_FN ReturnMapping yield(const Material& mat, Real trial_von_mises, const Ma
     const auto thermal = law.thermal(start.temperature);
     const Real plastic_strain = start.equivalent_plastic_strain;
     if (!(trial_von_mises > law.stress(plastic_strain, 0, dt, thermal).value)) return elastic;
-    return return_radially(law, Real(3) * mat.shear_modulus, trial_von_mises, plastic_strain, dt, thermal);
+    const Real three_G = Real(3) * (stiffness_share(mat, start.temperature) * mat.shear_modulus);
+    return return_radially(law, three_G, trial_von_mises, plastic_strain, dt, thermal);
   });
 }
 
 // Johnson & Cook (1985) cumulative damage. A failed point keeps no deviator and no tension: its pressure
-// follows from its density, so that it pushes back only where it is denser than the undeformed material.
+// follows from its density, so that it pushes back only where it is denser than the undeformed material, as
+// far as that has expanded.
 SWARF_FN void damage_point(const Material& mat, Real increment, Real von_mises_stress, MaterialState& s) {
   if (increment > Real(0) && s.damage < Real(1)) {
     const Real mean = trace(s.stress) / Real(3);
@@ -142,19 +147,35 @@ SWARF_FN void damage_point(const Material& mat, Real increment, Real von_mises_s
     s.damage = increment < strain * (Real(1) - s.damage) ? s.damage + increment / strain : Real(1);
   }
   if (s.damage < Real(1)) return;
-  const Real compression = Kokkos::log(s.density / mat.density);
-  const Real mean = compression > Real(0) ? -mat.bulk_modulus * compression : Real(0);
+  const Real expansion = Real(3) * mat.thermal_expansion * (s.temperature - mat.start_temperature);
+  const Real compression = Kokkos::log(s.density / mat.density) + expansion;
+  const Real bulk_modulus = stiffness_share(mat, s.temperature) * mat.bulk_modulus;
+  const Real mean = compression > Real(0) ? -bulk_modulus * compression : Real(0);
   s.stress = {mean, mean, mean, 0, 0, 0};
+}
+
+// What warming since the stress was made, from `before` to T, does to it: no strain but the expansion, which
+// none of the moduli resists, and the elastic strain that is there meets the moduli of now. Whatever warmed
+// the point, conduction, plastic work or the tool, is in the difference of the two temperatures.
+SWARF_FN void apply_warming(const Material& mat, Real before, Real T, Symmetric3& stress,
+                            StepMotion& motion) {
+  const Real expansion = mat.thermal_expansion * (T - before);
+  motion.strain = motion.strain + Symmetric3{-expansion, -expansion, -expansion, 0, 0, 0};
+  if (mat.stiffness_table.points > 0)
+    stress = stiffness_share(mat, T) / stiffness_share(mat, before) * stress;
 }
 
 // One step of one point. L: velocity gradient at the end of the step, 1/s. Plastic work heats the point by
 // taylor_quinney sigma_y d / (rho c). A step that inverts the point leaves a density <= 0: the caller checks.
-SWARF_FN StressUpdate update_point(const Material& mat, const MaterialState& start, const Tensor3& L,
-                                   Real dt) {
+// stress_temperature: that at which start.stress was made; the new one is made at start.temperature.
+SWARF_FN StressUpdate update_point(const Material& mat, const MaterialState& start, const Tensor3& L, Real dt,
+                                   Real stress_temperature) {
   const StepMotion motion = step_motion(L, dt);
   StressUpdate u{start, 0, 0, 0, true};
   MaterialState& s = u.state;
-  s.stress = trial_stress(mat, start.stress, motion);
+  StepMotion elastic = motion;
+  apply_warming(mat, stress_temperature, start.temperature, s.stress, elastic);
+  s.stress = trial_stress(mat, s.stress, elastic, stiffness_share(mat, start.temperature));
   s.density = start.density + start.density * motion.dilution;
   s.plastic_strain_rate = 0;
 
@@ -169,11 +190,17 @@ SWARF_FN StressUpdate update_point(const Material& mat, const MaterialState& sta
     s.plastic_strain_rate = r.increment / dt;
     u.plastic_work = r.flow_stress * r.increment / s.density;
     if (mat.taylor_quinney > Real(0))
-      s.temperature += mat.taylor_quinney * u.plastic_work / mat.specific_heat;
+      s.temperature = warmed_by(mat, s.temperature, mat.taylor_quinney * u.plastic_work);
   }
   if (mat.damage.active) damage_point(mat, r.increment, r.flow_stress, s);
   u.internal_work = contract(start.stress + s.stress, motion.strain) / (start.density + s.density);
   return u;
+}
+
+// Where no stress depends on temperature, or none has changed.
+SWARF_FN StressUpdate update_point(const Material& mat, const MaterialState& start, const Tensor3& L,
+                                   Real dt) {
+  return update_point(mat, start, L, dt, start.temperature);
 }
 
 } // namespace swarf

@@ -1,6 +1,7 @@
 // The particles of the SPH zone.
 #pragma once
 #include "swarf/material/material.hpp"
+#include "swarf/tool/tool_surface.hpp"
 
 namespace swarf {
 
@@ -44,25 +45,29 @@ struct Particles {
   ScalarField damping; // 1/s, where sleep begins (sleep.hpp), rows [0, count); 0 rows without it
 
   // History that belongs to the particle.
-  VectorField hourglass_rate;      // m/s, of hourglass_displacement
-  ScalarField reference_summation; // initial sum of m W (density = "summation", else 0 rows)
-  VectorField friction_force;      // N, stick-slip memory
-  VectorField contact_force;       // N, of the tool on the particle, this step
-  ScalarField friction_work;       // J
-  ScalarField viscous_work;        // J
-  ScalarField hourglass_work;      // J
-  VectorField surface_normal;      // outward, of particles at a surface, else 0 (shifting.hpp)
-  ScalarField shifted_strain;      // plastic strain of which the shifts have been made
-  ScalarField shifting_work;       // J, that the values of a shifted particle have lost
-  ScalarField external_work;       // J, gravity and prescribed velocities
-  ScalarField contact_energy;      // J, stored in the penalty spring
-  ScalarField contact_gap;         // m, half the initial spacing: where the particle's own surface lies
-  ScalarField contact_area;        // m2, the face of the particle's initial cube
-  ScalarField heat_to_tool;        // J, not yet in the tool's cells; 0 rows without cells
-  IndexField tool_cell;            // of the tool, that it touched last; 0 rows without cells
-  IndexField identity;             // number given when the scene was built
-  IndexField body;                 // row of the scene's bodies
-  View<unsigned*> constraints;     // bit b: row b of the ConstraintTable
+  VectorField hourglass_rate;         // m/s, of hourglass_displacement
+  ScalarField reference_summation;    // initial sum of m W (density = "summation", else 0 rows)
+  VectorField friction_force;         // N, stick-slip memory
+  VectorField contact_force;          // N, of the tool on the particle, this step
+  ScalarField friction_work;          // J
+  ScalarField viscous_work;           // J
+  ScalarField hourglass_work;         // J
+  VectorField surface_normal;         // outward, of particles at a surface, else 0 (shifting.hpp)
+  ScalarField shifted_strain;         // plastic strain of which the shifts have been made
+  ScalarField shifting_work;          // J, that the values of a shifted particle have lost
+  ScalarField external_work;          // J, gravity and prescribed velocities
+  ScalarField contact_energy;         // J, stored in the penalty spring
+  ScalarField contact_gap;            // m, half the initial spacing: where the particle's own surface lies
+  ScalarField contact_area;           // m2, the face of the particle's initial cube
+  ScalarField heat_to_tool;           // J, not yet in the tool's cells; 0 rows without cells
+  IndexField tool_cell;               // of the tool, that it touched last; 0 rows without cells
+  View<Real* [surface_sums]> on_tool; // not yet on the tool's surface (tool_surface.hpp); 0 rows without tool
+  IndexField tool_patch;              // of the tool, that it touched last
+  View<unsigned*> heated_faces;       // bit b: row b of the HeatedFaces; 0 rows without any
+  ScalarField face_heat;              // J, that has come through them; 0 rows without any
+  IndexField identity;                // number given when the scene was built
+  IndexField body;                    // row of the scene's bodies
+  View<unsigned*> constraints;        // bit b: row b of the ConstraintTable
 
   // The table of these fields (fields.hpp). A new one is a declaration above and a row here.
   template <class Self, class Visit>
@@ -110,6 +115,10 @@ struct Particles {
     visit("contact_area", p.contact_area, Facts<history>());
     visit("heat_to_tool", p.heat_to_tool, Facts<history, with_tool_heat>());
     visit("tool_cell", p.tool_cell, Facts<history, with_tool_heat>());
+    visit("heated_faces", p.heated_faces, Facts<history, with_face_heat>());
+    visit("face_heat", p.face_heat, Facts<history, with_face_heat>());
+    visit("on_tool", p.on_tool, Facts<history, with_tool>());
+    visit("tool_patch", p.tool_patch, Facts<history, with_tool>());
     visit("identity", p.identity, Facts<history>());
     visit("body", p.body, Facts<history>());
     visit("constraints", p.constraints, Facts<history>());

@@ -2,6 +2,7 @@
 #pragma once
 #include "swarf/material/material.hpp"
 #include "swarf/tool/contact_law.hpp"
+#include "swarf/tool/tool_surface.hpp"
 
 namespace swarf {
 
@@ -21,6 +22,8 @@ struct ContactPoints {
   ScalarField heat_capacity{}; // nodes: J/K; a particle's follows from its mass
   ScalarField heat_to_tool{};  // added to where the tool conducts, J
   IndexField tool_cell{};      // written there: cell of the tool that the point touches
+  View<Real* [surface_sums]> on_tool {}; // added to: what the point has done to the tool; 0 rows: not kept
+  IndexField tool_patch{};               // written with it: patch that the point touches
 };
 
 } // namespace swarf

@@ -1,6 +1,7 @@
 // The rigid tool: a closed surface of facets, its motion, and what a query needs on the device.
 #pragma once
 #include "swarf/tool/tool_heat.hpp"
+#include "swarf/tool/tool_surface.hpp"
 
 namespace swarf {
 
@@ -56,6 +57,7 @@ struct Tool {
   int teeth = 1;                     // tooth 0 at +y, the others counter-clockwise from it
   Real twist = 0;                    // rad/m, by which the edges turn counter-clockwise along +z
   ToolHeat heat;                     // without cells where the tool does not conduct
+  ToolSurface surface;               // what the contact does to it
 };
 
 // The tooth whose edge is nearest in angle to a point in the tool's frame.

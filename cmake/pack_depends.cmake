@@ -1,0 +1,18 @@
+# Read by cpack: the packages that the program's libraries come from. dpkg-shlibdeps would also look into the runtime that
+# goes along, which is of another Debian. Names of library packages carry the version of the library's interface.
+execute_process(COMMAND readelf -d ${CPACK_SWARF_PROGRAM} OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "Shared library: .[^]]+" libraries "${dynamic}")
+list(TRANSFORM libraries REPLACE "Shared library: ." "*/${CPACK_SWARF_ARCHITECTURE}/")
+list(FILTER libraries EXCLUDE REGEX "libkokkos")
+set(packages "")
+foreach(library IN LISTS libraries)
+  execute_process(COMMAND dpkg-query --search ${library} OUTPUT_VARIABLE owners RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "No Debian package has ${library}, which swarf is linked with")
+  endif()
+  string(REGEX MATCH "^[^:,]+" package "${owners}")
+  list(APPEND packages ${package})
+endforeach()
+list(REMOVE_DUPLICATES packages)
+list(SORT packages)
+list(JOIN packages ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
