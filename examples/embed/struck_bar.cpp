@@ -22,7 +22,7 @@ int run(const char* method) {
   constexpr double length = 0.1, speed = 1; // m, m/s
   const swarf::Deck deck = struck_bar(method, length, speed);
   const swarf::MaterialDeck& steel = deck.materials[0];
-  const double c = std::sqrt(steel.youngs_modulus / steel.density);
+  const double c = std::sqrt(steel.youngs_modulus.value / steel.density);
   const double expected = -steel.density * c * speed;
 
   swarf::Simulation simulation(deck);
