@@ -190,7 +190,14 @@ TEST(FindShifts, WhatIsHeldOrTiedStays) {
   const auto x = by_identity(b, p.position), v = by_identity(b, p.velocity);
   const Shifts shifts = shift_once(b);
   const auto x_after = by_identity(b, p.position), v_after = by_identity(b, p.velocity);
-  EXPECT_EQ(shifts.clusters(), b.neighbors.clusters);
+  const auto first = host_copy(b.neighbors.first), size = host_copy(b.neighbors.size);
+  int with_one_that_moves = 0; // all, unless a cluster is a single particle
+  for (int c = 0; c < b.neighbors.clusters; ++c) {
+    bool moves = false;
+    for (int i = first(c); i < first(c) + size(c); ++i) moves = moves || i % 5 >= 2;
+    with_one_that_moves += moves;
+  }
+  EXPECT_EQ(shifts.clusters(), with_one_that_moves);
   const auto identity = host_copy(p.identity);
   for (int i = 0; i < p.stored; ++i) {
     const bool stays = i >= p.count || i % 5 < 2;
