@@ -25,10 +25,11 @@ SWARF_FN void store_contact(const ContactPoints& points, int i, const ContactRes
   points.contact_energy(i) = response.energy;
 }
 
-// N/m; of a node, which lies on the surface itself, without bound.
+// N/m, M area / gap of a cube, whose area is V / (2 gap); of a node, which lies on the surface itself,
+// without bound.
 SWARF_FN Real stiffness_of_half_particle(const ContactPoints& points, int i, const Material& mat) {
-  const Real c = longitudinal_wave_speed(mat);
-  return mat.density * c * c * points.area(i) / points.gap(i);
+  const Real c = longitudinal_wave_speed(mat), gap = points.gap(i);
+  return points.mass(i) * c * c / (Real(2) * gap * gap);
 }
 
 // A thousandth of a cell below the surface: on the surface itself round-off would choose between cells.
