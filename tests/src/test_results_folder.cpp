@@ -235,7 +235,7 @@ TEST_F(ResultsFolderOfARun, damaged_frames_are_named) {
 using EndOfARun = Folder;
 
 TEST_F(EndOfARun, every_signal_that_asks_for_it_leaves_a_checkpoint) {
-  const std::string longer = write_deck(folder, edit_small_deck({{"86.5 deg", "89.5 deg"}}), "longer.toml");
+  const std::string longer = write_deck(folder, edit_small_deck({{"86.5 deg", "120 deg"}}), "longer.toml");
   for (const int signal : {SIGTERM, SIGHUP, SIGUSR1, SIGXCPU, SIGQUIT, SIGALRM}) {
     fs::remove_all(results);
     Program run(plain_run(longer, results));
