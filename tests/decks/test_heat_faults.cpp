@@ -1,28 +1,11 @@
 // Tables over temperature, thermal expansion and faces that heat goes through: what a deck may say, that the
 // resolved deck says it again, and what is refused.
-#include "tests/decks/good_deck.hpp"
-#include <gtest/gtest.h>
-#include <vector>
+#include "tests/decks/expect_unreadable.hpp"
 
 using namespace swarf;
 using namespace swarf::test;
 
 namespace {
-
-std::string fault_of(const std::string& text) {
-  try {
-    read_text(text);
-  } catch (const DeckError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-void expect_fault(const std::string& text, const std::vector<std::string>& fragments) {
-  const std::string message = fault_of(text);
-  for (const std::string& fragment : fragments)
-    EXPECT_NE(message.find(fragment), std::string::npos) << fragment << "\n" << message;
-}
 
 std::string with(const std::string& keys) { return edit_deck("n = 0.34", "n = 0.34\n" + keys, good_deck); }
 const std::string conducts = "conductivity = \"7.2 W/m/K\"";
@@ -49,17 +32,18 @@ TEST(DeckOfHeat, TablesAreReadAndWrittenAgain) {
 }
 
 TEST(DeckOfHeat, TablesThatMeanNothingAreRefused) {
-  expect_fault(with("conductivity = [[\"300 K\", \"6.6 W/m/K\"]]"),
-               {"material.ti64.conductivity: expected a thermal conductivity, or a table", "2 to 16 points"});
-  expect_fault(with("conductivity = [[\"300 K\", \"6 W/m/K\"], [\"300 K\", \"7 W/m/K\"]]"),
-               {"entry 2: expected a temperature above the one before, 300 K"});
-  expect_fault(with("conductivity = [[\"300 K\", \"6 W/m/K\"], [\"400 K\", \"0 W/m/K\"]]"),
-               {"entry 2: expected more than 0 W/m/K in a table"});
-  expect_fault(with("conductivity = [[\"300 K\", \"6 W/m/K\"], [400, \"7 W/m/K\"]]"),
-               {"entry 2: expected a temperature with a unit", "\"400 K\""});
-  expect_fault(with("conductivity = [[\"300 K\", \"6 W/m/K\"], \"7 W/m/K\"]"),
-               {"entry 2: expected a pair such as [\"300 K\""});
-  expect_fault(with("thermal_expansion = \"-1e-6 1/K\""), {"material.ti64.thermal_expansion: expected"});
+  expect_unreadable(
+      with("conductivity = [[\"300 K\", \"6.6 W/m/K\"]]"),
+      {"material.ti64.conductivity: expected a thermal conductivity, or a table", "2 to 16 points"});
+  expect_unreadable(with("conductivity = [[\"300 K\", \"6 W/m/K\"], [\"300 K\", \"7 W/m/K\"]]"),
+                    {"entry 2: expected a temperature above the one before, 300 K"});
+  expect_unreadable(with("conductivity = [[\"300 K\", \"6 W/m/K\"], [\"400 K\", \"0 W/m/K\"]]"),
+                    {"entry 2: expected more than 0 W/m/K in a table"});
+  expect_unreadable(with("conductivity = [[\"300 K\", \"6 W/m/K\"], [400, \"7 W/m/K\"]]"),
+                    {"entry 2: expected a temperature with a unit", "\"400 K\""});
+  expect_unreadable(with("conductivity = [[\"300 K\", \"6 W/m/K\"], \"7 W/m/K\"]"),
+                    {"entry 2: expected a pair such as [\"300 K\""});
+  expect_unreadable(with("thermal_expansion = \"-1e-6 1/K\""), {"material.ti64.thermal_expansion: expected"});
 }
 
 TEST(DeckOfHeat, FacesWithATemperatureAreReadAndWrittenAgain) {
@@ -78,12 +62,14 @@ TEST(DeckOfHeat, FacesWithATemperatureAreReadAndWrittenAgain) {
 
 TEST(DeckOfHeat, FacesThatMeanNothingAreRefused) {
   const std::string good = with(conducts);
-  expect_fault(with_faces("top = { temperature = \"300 K\" }\n", good_deck),
-               {"body.faces.top: lets heat through, but [material.ti64] has no conductivity"});
-  expect_fault(with_faces("top = { film = \"1e4 W/m2/K\" }\n", good),
-               {"body.faces.top: has a film, but not the temperature"});
-  expect_fault(with_faces("top = {}\n", good), {"body.faces.top: holds nothing"});
-  expect_fault(with_faces("top = { fixed = true, velocity = [\"0 m/s\", \"0 m/s\", \"1 m/s\"] }\n", good),
-               {"body.faces.top: is fixed and has a velocity"});
-  expect_fault(with_faces("top = { temperature = 300 }\n", good), {"body.faces.top.temperature: expected"});
+  expect_unreadable(with_faces("top = { temperature = \"300 K\" }\n", good_deck),
+                    {"body.faces.top: lets heat through, but [material.ti64] has no conductivity"});
+  expect_unreadable(with_faces("top = { film = \"1e4 W/m2/K\" }\n", good),
+                    {"body.faces.top: has a film, but not the temperature"});
+  expect_unreadable(with_faces("top = {}\n", good), {"body.faces.top: holds nothing"});
+  expect_unreadable(
+      with_faces("top = { fixed = true, velocity = [\"0 m/s\", \"0 m/s\", \"1 m/s\"] }\n", good),
+      {"body.faces.top: is fixed and has a velocity"});
+  expect_unreadable(with_faces("top = { temperature = 300 }\n", good),
+                    {"body.faces.top.temperature: expected"});
 }
