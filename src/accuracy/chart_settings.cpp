@@ -96,7 +96,7 @@ void set_slice(Deck& deck, const Deck& old, const Cut& cut, int rows, double spa
 double mass_factor(double wave_share) {
   for (const auto& key : run_keys())
     if (key.name == "mass_factor") {
-      const Range& range = std::get<Range>(key.allowed);
+      const Bounds& range = std::get<Bounds>(key.allowed);
       return std::clamp(std::stod(fmt::format("{:.3g}", wave_share * wave_share)), range.low, range.high);
     }
   throw std::logic_error("run.mass_factor is no key");

@@ -5,7 +5,7 @@ namespace {
 
 using D = Dimension;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range any{}, positive{0, infinity, true, false}, not_negative{0, infinity}, share{0, 1};
+constexpr Bounds any{}, positive{0, infinity, true, false}, not_negative{0, infinity}, share{0, 1};
 const std::vector<Condition> always;
 constexpr std::monostate custom;
 const std::string required = "required", optional = "optional";
@@ -44,7 +44,7 @@ const Keys<MaterialDeck>& material_keys() {
        "GPa\"], [\"900 K\", \"80 GPa\"]]: straight lines between the points, constant outside. The stable "
        "step "
        "is that of the stiffest, the best conductor and the least heat capacity in them"},
-      {"poissons_ratio", &M::poissons_ratio, D::none, Range{-1, 0.5, true, true}, required, deforms, "nu"},
+      {"poissons_ratio", &M::poissons_ratio, D::none, Bounds{-1, 0.5, true, true}, required, deforms, "nu"},
       {"specific_heat", &M::specific_heat, D::specific_heat, positive, required,
        law({"johnson_cook", "johnson_cook_tanh", "zerilli_armstrong", "rigid"}), "heat per mass and kelvin"},
       {"specific_heat", &M::specific_heat, D::specific_heat, positive, R"("500 J/kg/K")",
@@ -52,7 +52,7 @@ const Keys<MaterialDeck>& material_keys() {
       {"conductivity", &M::conductivity, D::conductivity, not_negative, R"("0 W/m/K")", deforms,
        "of heat; 0: adiabatic"},
       {"conductivity", &M::conductivity, D::conductivity, positive, required, law({"rigid"}), "of heat"},
-      {"thermal_expansion", &M::thermal_expansion, D::per_kelvin, Range{0, 0.01}, R"("0 1/K")", deforms,
+      {"thermal_expansion", &M::thermal_expansion, D::per_kelvin, Bounds{0, 0.01}, R"("0 1/K")", deforms,
        "of a length, per length as it is; 0: heat makes no stress"},
       {"taylor_quinney", &M::taylor_quinney, D::none, share, "0.9",
        law({"linear_hardening", "johnson_cook", "johnson_cook_tanh", "zerilli_armstrong"}),
@@ -65,22 +65,22 @@ const Keys<MaterialDeck>& material_keys() {
        "flow stress = (A + B e^n) (1 + C ln(rate/reference_rate)) (1 - T*^m); below the reference rate the "
        "second factor is 1"},
       {"B", &M::B, D::pressure, not_negative, required, johnson_cook, "hardening"},
-      {"n", &M::n, D::none, Range{0, 10, true, false}, required, of_power_law, "hardening exponent"},
-      {"C", &M::C, D::none, Range{0, 10}, required, johnson_cook, "rate sensitivity"},
-      {"m", &M::m, D::none, Range{0, 10, true, false}, required, johnson_cook, "softening exponent"},
+      {"n", &M::n, D::none, Bounds{0, 10, true, false}, required, of_power_law, "hardening exponent"},
+      {"C", &M::C, D::none, Bounds{0, 10}, required, johnson_cook, "rate sensitivity"},
+      {"m", &M::m, D::none, Bounds{0, 10, true, false}, required, johnson_cook, "softening exponent"},
       {"reference_rate", &M::reference_rate, D::rate, positive, R"("1 1/s")", of_power_law,
        "plastic strain rate where the rate factor is 1; lower ones count as this"},
       {"reference_temperature", &M::reference_temperature, D::temperature, positive, required, johnson_cook,
        "T* = 0 here and below"},
       {"melt_temperature", &M::melt_temperature, D::temperature, positive, required, johnson_cook,
        "T* = 1: no strength"},
-      {"softening_a", &M::softening_a, D::none, Range{0, 10, true, false}, required, tanh,
+      {"softening_a", &M::softening_a, D::none, Bounds{0, 10, true, false}, required, tanh,
        "Johnson-Cook with B e^n exp(-e^a), times D + (1 - D) tanh((e + S)^-c) (Calamaz et al. 2008)"},
-      {"softening_b", &M::softening_b, D::none, Range{0, 10, true, false}, required, tanh,
+      {"softening_b", &M::softening_b, D::none, Bounds{0, 10, true, false}, required, tanh,
        "S = (T / melt_temperature)^b"},
-      {"softening_c", &M::softening_c, D::none, Range{0, 20, true, false}, required, tanh,
+      {"softening_c", &M::softening_c, D::none, Bounds{0, 20, true, false}, required, tanh,
        "how suddenly it softens"},
-      {"softening_d", &M::softening_d, D::none, Range{0, 10, true, false}, required, tanh,
+      {"softening_d", &M::softening_d, D::none, Bounds{0, 10, true, false}, required, tanh,
        "D = 1 - (T / melt_temperature)^d, what is left"},
       {"C0", &M::C0, D::pressure, not_negative, required, zerilli,
        "flow stress = C0 + (C1 + C2 e^0.5) exp(-C3 T + C4 T ln rate) + C5 e^n, rate in 1/s"},
@@ -97,7 +97,7 @@ const Keys<MaterialDeck>& material_keys() {
 
 const Keys<BodyDeck>& body_keys() {
   using B = BodyDeck;
-  const Range ring_angle{-360, 720};
+  const Bounds ring_angle{-360, 720};
   const std::vector<Condition> block_or_ring = shape({"block", "ring"}), cylinder = shape({"cylinder"});
   const std::vector<Condition> lattice_of_hexes = {{"fill", {"hexes"}}, {"shape", {"block", "ring"}}};
   static const Keys<B> keys = {
@@ -139,7 +139,7 @@ const Keys<BodyDeck>& body_keys() {
        "driven face stay hexes"},
       {"convert_strain", &B::convert_strain, D::none, positive, optional, lattice_of_hexes,
        "hexes whose equivalent plastic strain reaches this become particles; with convert_distance: either"},
-      {"convert_particles", &B::convert_particles, D::none, Range{1, 4}, "2", lattice_of_hexes,
+      {"convert_particles", &B::convert_particles, D::none, Bounds{1, 4}, "2", lattice_of_hexes,
        "particles along each edge of a hex that becomes particles"},
       {"faces", custom, D::none, any, optional, always,
        "table [body.faces]: FACE = \"fixed\" | \"symmetric\" | \"periodic\" | { velocity = [...] }, and in "
@@ -174,23 +174,23 @@ const Keys<ToolDeck>& tool_keys() {
       {"kind", &T::kind, D::none, Choices{"end_mill", "wedge", "wall", "stl"}, required, always,
        "rigid, any of these"},
       {"diameter", &T::diameter, D::length, positive, required, mill, "of the circle of the tips"},
-      {"flutes", &T::flutes, D::none, Range{1, 8}, "2", mill, "number of teeth, evenly spaced"},
-      {"helix", &T::helix, D::angle, Range{0, 70}, R"("0 deg")", mill, "angle; right-handed"},
-      {"rake", &T::rake, D::angle, Range{-60, 60}, required, cutting,
+      {"flutes", &T::flutes, D::none, Bounds{1, 8}, "2", mill, "number of teeth, evenly spaced"},
+      {"helix", &T::helix, D::angle, Bounds{0, 70}, R"("0 deg")", mill, "angle; right-handed"},
+      {"rake", &T::rake, D::angle, Bounds{-60, 60}, required, cutting,
        "angle of the face the chip runs up; positive leans it back, away from the cut"},
-      {"clearance", &T::clearance, D::angle, Range{0, 45, true, false}, required, cutting,
+      {"clearance", &T::clearance, D::angle, Bounds{0, 45, true, false}, required, cutting,
        "angle behind the edge"},
       {"edge_radius", &T::edge_radius, D::length, not_negative, required, cutting,
        "of the rounded cutting edge; 0: sharp"},
       {"length", &T::length, D::length, positive, required, mill,
        "of the modelled part of the mill, along its axis"},
-      {"core_ratio", &T::core_ratio, D::none, Range{0, 1, true, true}, "0.6", mill,
+      {"core_ratio", &T::core_ratio, D::none, Bounds{0, 1, true, true}, "0.6", mill,
        "diameter of the core / diameter"},
       {"runout", &T::runout, D::length, not_negative, R"("0 m")", mill,
        "distance of the mill's axis from the spindle's"},
-      {"runout_angle", &T::runout_angle, D::angle, Range{-360, 360}, R"("0 deg")", mill,
+      {"runout_angle", &T::runout_angle, D::angle, Bounds{-360, 360}, R"("0 deg")", mill,
        "direction of the run-out, clockwise from tooth 0; 0: tooth 0 cuts more"},
-      {"inclination", &T::inclination, D::angle, Range{-60, 60}, R"("0 deg")", wedge,
+      {"inclination", &T::inclination, D::angle, Bounds{-60, 60}, R"("0 deg")", wedge,
        "of the edge, about +y; 0: the edge lies along z (orthogonal cutting along +x)"},
       {"width", &T::width, D::length, positive, required, wedge, "along the edge"},
       {"height", &T::height, D::length, positive, required, wedge, "of the wedge above its edge"},
@@ -213,7 +213,7 @@ const Keys<ToolDeck>& tool_keys() {
       {"feed_per_tooth", &T::feed_per_tooth, D::length, not_negative, required, mill,
        "advance between two teeth; feed = feed_per_tooth * flutes * spindle speed"},
       {"feed_direction", &T::feed_direction, D::none, Direction{}, "[1.0, 0.0, 0.0]", mill, "of the advance"},
-      {"start_angle", &T::start_angle, D::angle, Range{-360, 720}, R"("0 deg")", mill,
+      {"start_angle", &T::start_angle, D::angle, Bounds{-360, 720}, R"("0 deg")", mill,
        "immersion angle of tooth 0 at the end face at time 0: clockwise from +y"},
       {"material", &T::material, D::none, Text{}, optional, always,
        "NAME of a [material.NAME] with law = \"rigid\", or \"library:carbide-wc-co\": the tool conducts, and "
@@ -253,10 +253,10 @@ const Keys<ToolDeck>& tool_keys() {
 const Keys<ContactDeck>& contact_keys() {
   using C = ContactDeck;
   static const Keys<C> keys = {
-      {"friction", &C::friction, D::none, Range{0, 10}, required, always,
+      {"friction", &C::friction, D::none, Bounds{0, 10}, required, always,
        "Coulomb coefficient between tool and bodies"},
       {"shear_limit", &C::shear_limit, D::pressure, positive, optional, always, "largest friction stress"},
-      {"stiffness", &C::stiffness, D::none, Range{0, 1, true, false}, "1.0", always,
+      {"stiffness", &C::stiffness, D::none, Bounds{0, 1, true, false}, "1.0", always,
        "most of the contact's spring, in units of (scaled mass) / dt^2; a particle's is that of the material "
        "between it and its surface, as far as this allows; softer, the tool sinks in, and the thrust force "
        "of a cut grows"},

@@ -9,7 +9,7 @@
 namespace swarf {
 
 // Bounds in the unit of the resolved deck, angles in degrees.
-struct Range {
+struct Bounds {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false;
 };
@@ -19,7 +19,7 @@ struct Text {};      // any non-empty text
 struct Counts {      // of cells; two are [across, axial] and fill (across, across, axial)
   int entries;
 };
-using Allowed = std::variant<Range, Choices, Direction, Text, Counts>;
+using Allowed = std::variant<Bounds, Choices, Direction, Text, Counts>;
 
 // The key applies only where the text key `key` of the same table is one of `values`.
 struct Condition {

@@ -6,7 +6,7 @@ namespace {
 
 using D = Dimension;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range any{}, positive{0, infinity, true, false}, not_negative{0, infinity}, share{0, 1};
+constexpr Bounds any{}, positive{0, infinity, true, false}, not_negative{0, infinity}, share{0, 1};
 const std::vector<Condition> always;
 constexpr std::monostate custom;
 const std::string required = "required", optional = "optional";
@@ -19,7 +19,7 @@ const Keys<ParticlesDeck>& particles_keys() {
       {"kernel_frame", &P::kernel_frame, D::none, Choices{"current", "initial"}, R"("current")", always,
        "positions that the kernels and the neighbour lists see; initial (total Lagrangian): no tensile "
        "instability, but who is a neighbour at the start stays one, and no other body is felt but the tool"},
-      {"smoothing_ratio", &P::smoothing_ratio, D::none, Range{0.8, 3}, "1.2", always,
+      {"smoothing_ratio", &P::smoothing_ratio, D::none, Bounds{0.8, 3}, "1.2", always,
        "smoothing length h / spacing; the kernel reaches 2 h"},
       {"smoothing_length", &P::smoothing_length, D::none, Choices{"fixed", "evolving"}, R"("fixed")", always,
        "evolving: h follows the density"},
@@ -30,23 +30,23 @@ const Keys<ParticlesDeck>& particles_keys() {
       {"correct_forces", &P::correct_forces, D::none, any, "true", always,
        "correct the gradient in the forces as well (Bonet & Lok 1999): conserves angular momentum and "
        "energy"},
-      {"viscosity_linear", &P::viscosity_linear, D::none, Range{0, 10}, "0.3", always,
+      {"viscosity_linear", &P::viscosity_linear, D::none, Bounds{0, 10}, "0.3", always,
        "artificial viscosity, share of density * wave speed * h: damps motion that the velocity gradient "
        "does not see; a linear velocity field feels nothing"},
-      {"viscosity_quadratic", &P::viscosity_quadratic, D::none, Range{0, 10}, "1.0", always,
+      {"viscosity_quadratic", &P::viscosity_quadratic, D::none, Bounds{0, 10}, "1.0", always,
        "artificial viscosity in shocks"},
-      {"hourglass_stiffness", &P::hourglass_stiffness, D::none, Range{0, 10}, "0.3", always,
+      {"hourglass_stiffness", &P::hourglass_stiffness, D::none, Bounds{0, 10}, "0.3", always,
        "resistance to displacements that no gradient sees, share of the shear modulus (rubber stretched by a "
        "fifth needs 2, flowing metal gains energy above 1); in the initial frame to elongations that the "
        "deformation gradient does not explain (Ganzenmueller 2015)"},
-      {"pressure_diffusion", &P::pressure_diffusion, D::none, Range{0, 1}, "0.0", always,
+      {"pressure_diffusion", &P::pressure_diffusion, D::none, Bounds{0, 1}, "0.0", always,
        "of pressures that alternate between neighbours, and of the density with them, share of wave "
        "speed * h (Antuono et al. 2010); 0: off"},
       {"shifting", &P::shifting, D::none, any, "true", always,
        "particles of material that flows are moved back into an even order, and take what the fields are "
        "there; "
        "nothing elastic moves. In the current frame only"},
-      {"skin", &P::skin, D::none, Range{0, 1, true, false}, "0.1", always,
+      {"skin", &P::skin, D::none, Bounds{0, 1, true, false}, "0.1", always,
        "reach of the neighbour lists beyond the kernel's, over the kernel's; changes the cost only"},
   };
   return keys;
@@ -58,9 +58,9 @@ const Keys<HexesDeck>& hexes_keys() {
       {"hourglass", &H::hourglass, D::none, Choices{"stiffness", "viscous"}, R"("stiffness")", always,
        "control of the zero-energy modes (Flanagan & Belytschko 1981)"},
       {"hourglass_coefficient", &H::hourglass_coefficient, D::none, share, "0.1", always, "strength of it"},
-      {"viscosity_linear", &H::viscosity_linear, D::none, Range{0, 10}, "0.06", always,
+      {"viscosity_linear", &H::viscosity_linear, D::none, Bounds{0, 10}, "0.06", always,
        "bulk viscosity, in compression"},
-      {"viscosity_quadratic", &H::viscosity_quadratic, D::none, Range{0, 10}, "1.2", always,
+      {"viscosity_quadratic", &H::viscosity_quadratic, D::none, Bounds{0, 10}, "1.2", always,
        "bulk viscosity in shocks"},
       {"delete_failed", &H::delete_failed, D::none, any, "false", always,
        "delete a hex whose damage reaches 1"},
@@ -75,9 +75,9 @@ const Keys<SleepDeck>& sleep_keys() {
   static const Keys<S> keys = {
       {"distance", &S::distance, D::length, positive, optional, always,
        "points farther than this from the action are held, and sleep; not given: all points move"},
-      {"ramp", &S::ramp, D::none, Range{0, 1, true, true}, "0.5", always,
+      {"ramp", &S::ramp, D::none, Bounds{0, 1, true, true}, "0.5", always,
        "last part of the distance, over which velocities are damped so that waves do not come back"},
-      {"speed", &S::speed, D::none, Range{0, 1, true, false}, "0.05", always,
+      {"speed", &S::speed, D::none, Bounds{0, 1, true, false}, "0.05", always,
        "the action is what the tool comes near to, and what moves faster than this share of the tool's speed "
        "(or "
        "of the fastest held face)"},
@@ -102,13 +102,13 @@ const Keys<RunDeck>& run_keys() {
   static const Keys<R> keys = {
       {"end_time", &R::end_time, D::time, positive, optional, always,
        "when the run ends; this or end_immersion"},
-      {"end_immersion", &R::end_immersion, D::angle, Range{-360, 3.6e6}, optional, always,
+      {"end_immersion", &R::end_immersion, D::angle, Bounds{-360, 3.6e6}, optional, always,
        "immersion angle of the first tooth where the run ends; needs a spindle"},
-      {"courant", &R::courant, D::none, Range{0, 1, true, false}, "0.3", always, "step / (h / wave speed)"},
-      {"mass_factor", &R::mass_factor, D::none, Range{1, 1e8}, "1.0", always,
+      {"courant", &R::courant, D::none, Bounds{0, 1, true, false}, "0.3", always, "step / (h / wave speed)"},
+      {"mass_factor", &R::mass_factor, D::none, Bounds{1, 1e8}, "1.0", always,
        "inertia is that of this many times the mass: the step grows with its root, heat and rates stay "
        "right"},
-      {"accuracy", &R::accuracy, D::percentage, Range{0, 100, true, false}, optional, always,
+      {"accuracy", &R::accuracy, D::percentage, Bounds{0, 100, true, false}, optional, always,
        "asked of the mean cutting force: takes the cheapest settings of the measured chart "
        "(docs/reports/accuracy_cost.md) that keep it, and says which and why (swarf check: before running). "
        "They "
@@ -124,7 +124,7 @@ const Keys<RunDeck>& run_keys() {
        "driven faces"},
       {"energy_limit", &R::energy_limit, D::percentage, positive, R"("10 %")", always,
        "where the balance is off by more the run ends, with exit status 3"},
-      {"threads", &R::threads, D::none, Range{0, 4096}, "0", always,
+      {"threads", &R::threads, D::none, Bounds{0, 4096}, "0", always,
        "of the computation, at most one a core; 0: all cores"},
       {"gravity", &R::gravity, D::acceleration, any, R"(["0 m/s2", "0 m/s2", "0 m/s2"])", always,
        "acts on all bodies"},
@@ -137,7 +137,7 @@ const Keys<OutputDeck>& output_keys() {
   static const Keys<O> keys = {
       {"force_scale", &O::force_scale, D::none, positive, "1.0", always,
        "factor of all reported forces and torques: depth of cut / thickness of the modelled slice"},
-      {"history_steps", &O::history_steps, D::none, Range{1, 1e6}, "10", always,
+      {"history_steps", &O::history_steps, D::none, Bounds{1, 1e6}, "10", always,
        "most steps between two history samples"},
       {"frame_time", &O::frame_time, D::time, positive, optional, always,
        "between two frames; or frame_immersion"},
@@ -164,14 +164,14 @@ const Keys<OutputDeck>& output_keys() {
 
 const Keys<WindowsDeck>& windows_keys() {
   using W = WindowsDeck;
-  const Range immersion{-360, 720}, length{0, 180, true, false};
+  const Bounds immersion{-360, 720}, length{0, 180, true, false};
   static const Keys<W> keys = {
       {"first", &W::first, D::angle, immersion, R"("10 deg")", always, "immersion at the first centre"},
       {"last", &W::last, D::angle, immersion, R"("170 deg")", always, "no centre lies beyond it"},
       {"step", &W::step, D::angle, length, R"("20 deg")", always, "from centre to centre"},
       {"width", &W::width, D::angle, length, R"("6 deg")", always,
        "of the measurement about the centre; the standard error falls with its root"},
-      {"run_in", &W::run_in, D::angle, Range{0, 180}, R"("5 deg")", always,
+      {"run_in", &W::run_in, D::angle, Bounds{0, 180}, R"("5 deg")", always,
        "cut before the measurement, until the chip has formed; a helix adds its lag over the depth of cut"},
       {"ahead", &W::ahead, D::angle, length, R"("7 deg")", always,
        "of the end of the measurement, that the material goes on"},
@@ -195,11 +195,11 @@ const Keys<MechanisticDeck>& mechanistic_keys() {
        "a chip thinner than this is not cut: the edge only presses, and leaves it to the next tooth"},
       {"depth", &M::depth, D::length, positive, optional, always,
        "axial depth of cut; not given: what the tool overlaps of the bodies, times output.force_scale"},
-      {"helix", &M::helix, D::angle, Range{0, 70}, optional, always,
+      {"helix", &M::helix, D::angle, Bounds{0, 70}, optional, always,
        "not given: tool.helix. A periodic slice has none, its mill may"},
-      {"entry", &M::entry, D::angle, Range{0, 360}, R"("0 deg")", always,
+      {"entry", &M::entry, D::angle, Bounds{0, 360}, R"("0 deg")", always,
        "immersion where the work begins; a slot: 0 deg"},
-      {"exit", &M::exit, D::angle, Range{0, 360}, R"("180 deg")", always,
+      {"exit", &M::exit, D::angle, Bounds{0, 360}, R"("180 deg")", always,
        "immersion where it ends; a slot: 180 deg"},
   };
   return keys;

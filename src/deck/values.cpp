@@ -29,7 +29,7 @@ std::string show_bound(double bound, Dimension dimension) {
   return unit.empty() ? fmt::format("{}", bound) : fmt::format("{} {}", bound, unit);
 }
 
-bool is_within(double x, const Range& range, Dimension dimension) {
+bool is_within(double x, const Bounds& range, Dimension dimension) {
   const double low = from_display(range.low, dimension), high = from_display(range.high, dimension);
   return (range.low_open ? x > low : x >= low) && (range.high_open ? x < high : x <= high);
 }
@@ -49,7 +49,7 @@ std::string advise_unit(const toml::node& node, const ValueRule& rule, const std
                                                                            : describe(rule.dimension).si;
   const std::string quantity = show(node) + " " + unit;
   const auto parsed = parse_quantity(quantity, rule.dimension);
-  const auto* range = std::get_if<Range>(&rule.allowed);
+  const auto* range = std::get_if<Bounds>(&rule.allowed);
   const double* x = std::get_if<double>(&parsed);
   if (!x || (range && !is_within(*x, *range, rule.dimension))) return "";
   const bool is_si = unit == describe(rule.dimension).si && rule.dimension != Dimension::percentage;
@@ -67,7 +67,7 @@ std::string describe_slip(double x, const ValueRule& rule) {
                : "";
   };
   if (rule.dimension == Dimension::length) {
-    const auto* range = std::get_if<Range>(&rule.allowed);
+    const auto* range = std::get_if<Bounds>(&rule.allowed);
     if (range && range->low == 0 && range->low_open && x < 1e-15)
       return fmt::format("{} m is less than the size of an atom's core. Look at the unit", x);
     return beyond(1e12, "farther than the planets");
@@ -94,7 +94,7 @@ std::string read_number(const toml::node& node, const ValueRule& rule, const std
   } else {
     return fmt::format("expected {} with a unit such as \"{}\", got {}", text.name, text.example, show(node));
   }
-  const auto* range = std::get_if<Range>(&rule.allowed);
+  const auto* range = std::get_if<Bounds>(&rule.allowed);
   if (range && !is_within(x, *range, rule.dimension))
     return fmt::format("expected {}, {}, got {}", text.name, describe_bounds(*range, rule.dimension),
                        show(node));
@@ -126,7 +126,7 @@ std::string read_count(const toml::node& node, double low, double high, int& val
 template <class Numbers>
 std::string write_numbers(const Numbers& numbers, Dimension dimension) {
   std::vector<std::string> entries;
-  for (double x : numbers) entries.push_back(write_value(x, {"", dimension, Range{}}));
+  for (double x : numbers) entries.push_back(write_value(x, {"", dimension, Bounds{}}));
   return fmt::format("[{}]", fmt::join(entries, ", "));
 }
 
@@ -177,7 +177,7 @@ std::string suggest(const std::string& word, const std::vector<std::string>& can
   return nearest.empty() ? "" : fmt::format(" Did you mean \"{}\"?", nearest);
 }
 
-std::string describe_bounds(const Range& range, Dimension dimension) {
+std::string describe_bounds(const Bounds& range, Dimension dimension) {
   const std::string low = show_bound(range.low, dimension), high = show_bound(range.high, dimension);
   const bool has_low = std::isfinite(range.low), has_high = std::isfinite(range.high);
   const std::string from = fmt::format("{} {}", range.low_open ? "more than" : "at least", low);
@@ -219,7 +219,7 @@ std::string read_value(const toml::node& node, const ValueRule&, bool& value) {
 }
 
 std::string read_value(const toml::node& node, const ValueRule& rule, int& value) {
-  const Range& range = std::get<Range>(rule.allowed);
+  const Bounds& range = std::get<Bounds>(rule.allowed);
   return read_count(node, range.low, range.high, value);
 }
 
@@ -244,7 +244,7 @@ std::string read_value(const toml::node& node, const ValueRule& rule, OverTemper
                          show(*rows->get(i)));
     std::array<double, 2> point{};
     std::string error =
-        read_number(*row->get(0), {"", Dimension::temperature, Range{0, 1e5, true}}, "", point[0]);
+        read_number(*row->get(0), {"", Dimension::temperature, Bounds{0, 1e5, true}}, "", point[0]);
     if (error.empty()) error = read_number(*row->get(1), rule, "", point[1]);
     if (error.empty() && !(point[1] > 0))
       error = fmt::format("expected more than 0 {} in a table, got {}", text.si, show(*row->get(1)));
@@ -316,8 +316,8 @@ std::string write_value(const OverTemperature& value, const ValueRule& rule) {
   if (value.points.empty()) return write_value(value.value, rule);
   std::vector<std::string> rows;
   for (const auto& [T, x] : value.points)
-    rows.push_back(
-        fmt::format("[{}, {}]", write_value(T, {"", Dimension::temperature, Range{}}), write_value(x, rule)));
+    rows.push_back(fmt::format("[{}, {}]", write_value(T, {"", Dimension::temperature, Bounds{}}),
+                               write_value(x, rule)));
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 std::string write_value(const std::optional<double>& value, const ValueRule& rule) {

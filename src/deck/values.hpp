@@ -23,7 +23,7 @@ class DeckReport {
 std::string suggest(const std::string& word, const std::vector<std::string>& candidates);
 
 // "more than 0 m", "0 to 1 (ends included)", or "" without bounds.
-std::string describe_bounds(const Range& range, Dimension dimension);
+std::string describe_bounds(const Bounds& range, Dimension dimension);
 
 // What a value must be, for the message of an error and for the reference page.
 std::string describe_expected(Dimension dimension, const Allowed& allowed);

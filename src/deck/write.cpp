@@ -35,13 +35,13 @@ std::string write_body(const BodyDeck& body) {
   for (const FaceDeck& face : body.faces) {
     std::vector<std::string> entries;
     if (face.kind == "velocity")
-      entries.push_back("velocity = " + write_value(face.velocity, {"", Dimension::velocity, Range{}}));
+      entries.push_back("velocity = " + write_value(face.velocity, {"", Dimension::velocity, Bounds{}}));
     if (face.kind == "fixed" && face.temperature) entries.push_back("fixed = true");
     if (face.temperature)
       entries.push_back("temperature = " +
-                        write_value(*face.temperature, {"", Dimension::temperature, Range{}}));
+                        write_value(*face.temperature, {"", Dimension::temperature, Bounds{}}));
     if (face.film)
-      entries.push_back("film = " + write_value(*face.film, {"", Dimension::conductance, Range{}}));
+      entries.push_back("film = " + write_value(*face.film, {"", Dimension::conductance, Bounds{}}));
     text += entries.empty() ? fmt::format("{} = \"{}\"\n", face.face, face.kind)
                             : fmt::format("{} = {{ {} }}\n", face.face, fmt::join(entries, ", "));
   }
@@ -66,7 +66,7 @@ std::string describe_conditions(const Key<Section>& key) {
 
 template <class Section>
 std::string describe_values(const Key<Section>& key) {
-  const auto* range = std::get_if<Range>(&key.allowed);
+  const auto* range = std::get_if<Bounds>(&key.allowed);
   if (std::holds_alternative<bool Section::*>(key.field)) return "true or false";
   if (std::holds_alternative<std::monostate>(key.field)) return "table or list";
   std::string what = describe_expected(key.dimension, key.allowed);

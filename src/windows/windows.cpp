@@ -271,7 +271,7 @@ WindowsDeck read_windows_option(const std::string& text, WindowsDeck windows) {
       throw fault(fmt::format("\"{}\" is not a number", number));
     const auto key = std::find_if(windows_keys().begin(), windows_keys().end(),
                                   [&](const auto& row) { return row.name == parts[k].first; });
-    const Range& range = std::get<Range>(key->allowed);
+    const Bounds& range = std::get<Bounds>(key->allowed);
     if (!(value >= range.low && value <= range.high) || (range.low_open && value == range.low))
       throw fault(fmt::format("{} must be {}", key->name, describe_bounds(range, Dimension::angle)));
     windows.*parts[k].second = value * degree;
