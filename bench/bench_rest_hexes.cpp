@@ -1,5 +1,5 @@
-// All awake, one cell of action; items are hexes. A node: distance 14, damping 4. Reals of a node: position 3
-// in, damping out. Indices: constraints of a node in and out; connectivity 8, active in and out.
+// All awake, one cell of the active region; items are hexes. A node: distance 14, damping 4. Reals of a node:
+// position 3 in, damping out. Indices: constraints of a node in and out; connectivity 8, active in and out.
 #include "bench/support/hex_cube.hpp"
 
 namespace swarf::bench {
@@ -9,12 +9,12 @@ void bench_rest_hexes(benchmark::State& state) {
   const HexCube& c = hex_cube(state.range(0));
   HexMesh mesh = c.mesh;
   mesh.damping = ScalarField("damping", mesh.nodes);
-  const VectorField action("action", 1);
+  const VectorField region("active_region", 1);
   Sleep sleep;
   sleep.distance = 10 * Real(cube_edge(state.range(0))) * hex_edge, sleep.ramp = Real(0.5) * sleep.distance;
   sleep.cell = sleep.distance / 16;
   const double nodes = c.nodes_per_hex();
-  for (auto _ : state) rest_hexes(mesh, TransformTable(), action, sleep);
+  for (auto _ : state) rest_hexes(mesh, TransformTable(), region, sleep);
   report(state, c.count(), {18 * nodes, 4 * nodes * sizeof(Real) + (10 + 2 * nodes) * sizeof(int)});
 }
 BENCHMARK(bench_rest_hexes)->Name("rest_hexes")->Apply(all_sizes);

@@ -1,7 +1,7 @@
-// All awake, one cell of action, so that no row changes its rank and no field moves (sort_particles shows
-// what moving costs); distance 14 and damping 4. Reals: position 3 in, distance out and in, damping out.
-// Indices: identity twice in, constraints in and out, the place of a row, for what is carried and for what
-// moves, each twice in and out; and its key out and four times in.
+// All awake, one cell of the active region, so that no row changes its rank and no field moves
+// (sort_particles shows what moving costs); distance 14 and damping 4. Reals: position 3 in, distance out and
+// in, damping out. Indices: identity twice in, constraints in and out, the place of a row, for what is
+// carried and for what moves, each twice in and out; and its key out and four times in.
 #include "bench/support/particle_cube.hpp"
 
 namespace swarf::bench {
@@ -10,10 +10,10 @@ namespace {
 void bench_rest_particles(benchmark::State& state) {
   const ParticleCube& c = particle_cube(state.range(0));
   Particles particles = c.particles;
-  const VectorField action("action", 1);
+  const VectorField region("active_region", 1);
   Sleep sleep;
   sleep.distance = 10 * Real(cube_edge(state.range(0))) * spacing, sleep.ramp = Real(0.5) * sleep.distance;
-  for (auto _ : state) rest_particles(particles, Tie{}, action, sleep);
+  for (auto _ : state) rest_particles(particles, Tie{}, region, sleep);
   report(state, c.count(), {18, 6.0 * sizeof(Real) + 12 * sizeof(int) + 5 * sizeof(long)});
 }
 BENCHMARK(bench_rest_particles)->Name("rest_particles")->Apply(all_sizes);

@@ -1,13 +1,14 @@
-// Holds the nodes that are farther from the action than sleep.distance (sleep.hpp), and puts to sleep the
-// hexes whose nodes are all held. Nodes of a periodic pair are held together. What stops gives its kinetic
-// energy to external_work. Reads positions, connectivity, coupled_nodes; writes constraints, damping, active.
-#include "action_cells.hpp"
+// Holds the nodes that are farther from the active region than sleep.distance (sleep.hpp), and puts to sleep
+// the hexes whose nodes are all held. Nodes of a periodic pair are held together. What stops gives its
+// kinetic energy to external_work. Reads positions, connectivity, coupled_nodes; writes constraints, damping,
+// active.
+#include "region_cells.hpp"
 
 namespace swarf {
 namespace {
 
-void hold_nodes(const HexMesh& m, const VectorField& action, const Sleep& s) {
-  const ActionCells cells = group_cells(action, s);
+void hold_nodes(const HexMesh& m, const VectorField& region, const Sleep& s) {
+  const RegionCells cells = group_cells(region, s);
   Kokkos::parallel_for(
       "hold_nodes", Range(0, m.nodes), KOKKOS_LAMBDA(int a) {
         const Real d = distance_to(cells, load_vector(m.position, a));
@@ -57,9 +58,9 @@ void rest(const HexMesh& m) {
 
 } // namespace
 
-void rest_hexes(const HexMesh& m, const TransformTable& transforms, const VectorField& action,
+void rest_hexes(const HexMesh& m, const TransformTable& transforms, const VectorField& region,
                 const Sleep& s) {
-  hold_nodes(m, action, s);
+  hold_nodes(m, region, s);
   free_pairs(m, int(transforms.extent(0)));
   stop_held(m, s.mass_factor);
   rest(m);

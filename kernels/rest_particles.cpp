@@ -1,10 +1,10 @@
-// Puts to sleep, holds, or wakes each particle by its distance d from the action (sleep.hpp), and orders the
-// rows: awake particles, awake tied ones, sleeping ones that a list may hold, those far from all and those
-// that have retired. What stops gives its kinetic energy to external_work, as at a fixed face. Writes
-// constraints, damping and the counts.
-#include "action_cells.hpp"
+// Puts to sleep, holds, or wakes each particle by its distance d from the active region (sleep.hpp), and
+// orders the rows: awake particles, awake tied ones, sleeping ones that a list may hold, those far from all
+// and those that have retired. What stops gives its kinetic energy to external_work, as at a fixed face.
+// Writes constraints, damping and the counts.
 #include "append_points.hpp"
 #include "point_grid.hpp"
+#include "region_cells.hpp"
 
 namespace swarf {
 namespace {
@@ -32,9 +32,9 @@ SWARF_FN void still(const Particles& p, int i) {
   p.points.plastic_strain_rate(i) = 0;
 }
 
-ScalarField distances(const Particles& p, const VectorField& action, const Sleep& s) {
+ScalarField distances(const Particles& p, const VectorField& region, const Sleep& s) {
   const ScalarField d(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_distance"), p.stored);
-  const ActionCells cells = group_cells(action, s);
+  const RegionCells cells = group_cells(region, s);
   Kokkos::parallel_for(
       "rest_distance", Range(0, p.stored),
       KOKKOS_LAMBDA(int i) { d(i) = distance_to(cells, load_vector(p.position, i)); });
@@ -60,9 +60,9 @@ PointGrid find_carried(const Particles& p, const ScalarField& d, const Sleep& s)
 
 // The rank that each row takes, and its place within: particles keep their order, so that nothing changes
 // where nothing sleeps; tied ones have theirs.
-View<CellKey*> rank_rows(const Particles& p, const VectorField& action, const Sleep& s) {
+View<CellKey*> rank_rows(const Particles& p, const VectorField& region, const Sleep& s) {
   const View<CellKey*> key(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_key"), p.stored);
-  const ScalarField distance = distances(p, action, s);
+  const ScalarField distance = distances(p, region, s);
   const PointGrid carried = find_carried(p, distance, s);
   Kokkos::parallel_for(
       "rest_particles", Range(0, p.stored), KOKKOS_LAMBDA(int i) {
@@ -118,8 +118,8 @@ int rows_before(const View<CellKey*>& key, Rank rank) {
 
 } // namespace
 
-void rest_particles(Particles& p, const Tie& tie, const VectorField& action, const Sleep& s) {
-  const View<CellKey*> key = rank_rows(p, action, s);
+void rest_particles(Particles& p, const Tie& tie, const VectorField& region, const Sleep& s) {
+  const View<CellKey*> key = rank_rows(p, region, s);
   const RankStarts starts{
       {0, rows_before(key, awake_tied), rows_before(key, listed), rows_before(key, far), p.stored}};
   const Moves moves = moves_between(key, starts);

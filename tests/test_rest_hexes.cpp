@@ -8,12 +8,12 @@ namespace {
 
 constexpr double edge = 1e-5;
 
-// A bar of 30 x 2 x 2 hexes along x whose nodes all move; the action is at its near end.
+// A bar of 30 x 2 x 2 hexes along x whose nodes all move; the active region is at its near end.
 struct Bar {
   Material material;
   HexMesh mesh;
   Sleep sleep;
-  VectorField action{"action", 1};
+  VectorField region{"active_region", 1};
   TransformTable none{"none", 0};
 
   Bar() : mesh(make_hex_block({30, 2, 2}, material = ti64(), edge)) {
@@ -26,7 +26,7 @@ struct Bar {
 
 TEST(RestHexes, only_hexes_without_a_moving_node_sleep) {
   const Bar b;
-  rest_hexes(b.mesh, b.none, b.action, b.sleep);
+  rest_hexes(b.mesh, b.none, b.region, b.sleep);
   const auto x = host_copy(b.mesh.position);
   const auto bits = host_copy(b.mesh.constraints);
   for (int a = 0; a < b.mesh.nodes; ++a)
@@ -48,7 +48,7 @@ TEST(RestHexes, the_energy_of_what_stops_leaves_by_external_work) {
   Bar b;
   b.sleep.mass_factor = 100;
   const Real factor = 100, before = sum_hexes(b.mesh, factor).kinetic;
-  rest_hexes(b.mesh, b.none, b.action, b.sleep);
+  rest_hexes(b.mesh, b.none, b.region, b.sleep);
   const PointSums after = sum_hexes(b.mesh, factor);
   EXPECT_LT(after.kinetic, Real(0.4) * before);
   EXPECT_NEAR(after.kinetic - after.external, before, round_off * before);
@@ -60,7 +60,7 @@ TEST(RestHexes, both_nodes_of_a_periodic_pair_move_if_one_does) {
   const auto pair = host_copy(b.mesh.coupled_nodes);
   pair(0, 0) = 0, pair(0, 1) = b.mesh.nodes - 1, pair(0, 2) = 0;
   Kokkos::deep_copy(b.mesh.coupled_nodes, pair);
-  rest_hexes(b.mesh, TransformTable("one", 1), b.action, b.sleep);
+  rest_hexes(b.mesh, TransformTable("one", 1), b.region, b.sleep);
   const auto bits = host_copy(b.mesh.constraints);
   EXPECT_EQ(bits(0) & held_bit, 0u);
   EXPECT_EQ(bits(b.mesh.nodes - 1) & held_bit, 0u);
@@ -71,7 +71,7 @@ TEST(RestHexes, waking_frees_all_nodes_and_deleted_hexes_stay_deleted) {
   const auto active = host_copy(b.mesh.active);
   active(100) = hex_deleted;
   Kokkos::deep_copy(b.mesh.active, active);
-  rest_hexes(b.mesh, b.none, b.action, b.sleep);
+  rest_hexes(b.mesh, b.none, b.region, b.sleep);
   rest_hexes(b.mesh, b.none, VectorField("none", 0), b.sleep);
   const auto woken = host_copy(b.mesh.active);
   const auto bits = host_copy(b.mesh.constraints);

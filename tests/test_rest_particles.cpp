@@ -15,15 +15,15 @@ Sleep sleep_for(const test::ParticleBlock& b, Real distance) {
   return s;
 }
 
-VectorField action_at(const Vector3& x) {
-  const VectorField action("action", 1);
-  auto host = Kokkos::create_mirror_view(action);
+VectorField region_at(const Vector3& x) {
+  const VectorField region("active_region", 1);
+  auto host = Kokkos::create_mirror_view(region);
   store_vector(host, 0, x);
-  Kokkos::deep_copy(action, host);
-  return action;
+  Kokkos::deep_copy(region, host);
+  return region;
 }
 
-// A row of 40 x 4 x 4 particles that all move; the action is at its near end.
+// A row of 40 x 4 x 4 particles that all move; the active region is at its near end.
 test::ParticleBlock moving_row() {
   test::ParticleBlock b = test::particle_block(40, 4, 4, dx);
   const auto identity = host_copy(b.particles.identity);
@@ -42,7 +42,7 @@ TEST(RestParticles, what_moves_feels_only_what_is_awake_and_what_is_awake_only_w
   test::ParticleBlock b = moving_row();
   Particles& p = b.particles;
   const Sleep s = sleep_for(b, 10 * dx);
-  rest_particles(p, Tie{}, action_at({0, 2 * dx, 2 * dx}), s);
+  rest_particles(p, Tie{}, region_at({0, 2 * dx, 2 * dx}), s);
   ASSERT_LT(p.count, p.listed);
   ASSERT_LT(p.listed, p.stored);
   EXPECT_EQ(p.stored, 640);
@@ -75,11 +75,11 @@ TEST(RestParticles, finds_the_nearest_of_many_cells_of_the_action) {
   const Sleep s = sleep_for(b, Real(2.2) * dx);
   std::vector<Vector3> cells;
   for (int k = 0; k < 600; ++k) cells.push_back({(k % 24) * dx, -(k * 7 % 13) * dx, (k * 5 % 11) * dx});
-  const VectorField action("action", cells.size());
-  const auto host = Kokkos::create_mirror_view(action);
+  const VectorField region("active_region", cells.size());
+  const auto host = Kokkos::create_mirror_view(region);
   for (int k = 0; k < 600; ++k) store_vector(host, k, cells[std::size_t(k)]);
-  Kokkos::deep_copy(action, host);
-  rest_particles(b.particles, Tie{}, action, s);
+  Kokkos::deep_copy(region, host);
+  rest_particles(b.particles, Tie{}, region, s);
   const auto x = host_copy(b.particles.position);
   const auto bits = host_copy(b.particles.constraints);
   int held = 0;
@@ -117,15 +117,15 @@ TEST(RestParticles, a_hex_wakes_no_more_than_what_is_near_to_what_it_moves) {
   Kokkos::deep_copy(p.identity, identity);
   Tie tie;
   tie.count = int(tied.size()), tie.row = IndexField("row", tied.size());
-  const Vector3 action{0, 2 * dx, dx};
-  rest_particles(p, tie, action_at(action), s);
+  const Vector3 region{0, 2 * dx, dx};
+  rest_particles(p, tie, region_at(region), s);
 
   const auto expected = [&](const Vector3& at) {
-    const Real d = norm(at - action);
+    const Real d = norm(at - region);
     if (at.y > tied_from || d <= s.distance + s.reach) return d <= s.distance + s.margin;
     bool near = false;
     for (const int k : tied)
-      near |= norm(x[std::size_t(k)] - at) <= s.reach && norm(x[std::size_t(k)] - action) <= s.distance + hex;
+      near |= norm(x[std::size_t(k)] - at) <= s.reach && norm(x[std::size_t(k)] - region) <= s.distance + hex;
     return near && d <= s.distance + s.margin;
   };
   const auto now = host_copy(p.position);
@@ -133,8 +133,8 @@ TEST(RestParticles, a_hex_wakes_no_more_than_what_is_near_to_what_it_moves) {
   for (int i = 0; i < p.stored; ++i) {
     const Vector3 at = load_vector(now, i);
     EXPECT_EQ(i < p.count + p.tied, expected(at)) << i;
-    if (at.y > tied_from || norm(at - action) <= s.distance + s.reach) continue;
-    woken += expected(at), asleep_in_margin += !expected(at) && norm(at - action) <= s.distance + s.margin;
+    if (at.y > tied_from || norm(at - region) <= s.distance + s.reach) continue;
+    woken += expected(at), asleep_in_margin += !expected(at) && norm(at - region) <= s.distance + s.margin;
   }
   EXPECT_GT(woken, 10);
   EXPECT_GT(asleep_in_margin, 50);
@@ -144,11 +144,11 @@ TEST(RestParticles, a_row_of_what_sleeps_on_is_left_where_it_is) {
   test::ParticleBlock b = moving_row();
   Particles& p = b.particles;
   const Sleep s = sleep_for(b, 10 * dx);
-  rest_particles(p, Tie{}, action_at({39 * dx, 2 * dx, 2 * dx}), s);
+  rest_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), s);
   std::vector<int> before;
   for (int i = 0; i < p.stored; ++i) before.push_back(host_copy(p.identity)(i));
   const int far = p.stored - p.listed;
-  rest_particles(p, Tie{}, action_at({37 * dx, 2 * dx, 2 * dx}), s);
+  rest_particles(p, Tie{}, region_at({37 * dx, 2 * dx, 2 * dx}), s);
   int moved = 0;
   for (int i = 0; i < p.stored; ++i) moved += before[std::size_t(i)] != host_copy(p.identity)(i);
   EXPECT_LT(moved, far / 2);
@@ -160,7 +160,7 @@ TEST(RestParticles, the_energy_of_what_stops_leaves_by_external_work) {
   const Real factor = 100, before = energy(b.particles, factor);
   Sleep s = sleep_for(b, 10 * dx);
   s.mass_factor = factor;
-  rest_particles(b.particles, Tie{}, action_at({0, 2 * dx, 2 * dx}), s);
+  rest_particles(b.particles, Tie{}, region_at({0, 2 * dx, 2 * dx}), s);
   const PointSums after = sum_particles(b.particles, factor);
   EXPECT_LT(after.kinetic, Real(0.4) * before);
   EXPECT_NEAR(after.kinetic - after.external, before, test::round_off * before);
@@ -174,7 +174,7 @@ TEST(RestParticles, sleep_and_waking_keep_the_state_of_every_particle) {
   Kokkos::deep_copy(p.points.temperature, temperature);
   std::vector<Vector3> x;
   for (int i = 0; i < p.count; ++i) x.push_back(load_vector(host_copy(p.position), i));
-  rest_particles(p, Tie{}, action_at({39 * dx, 2 * dx, 2 * dx}), sleep_for(b, 10 * dx));
+  rest_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), sleep_for(b, 10 * dx));
   EXPECT_LT(p.count, 400);
   rest_particles(p, Tie{}, VectorField("none", 0), sleep_for(b, 10 * dx));
   EXPECT_EQ(p.count, 640);
@@ -193,7 +193,7 @@ TEST(RestParticles, sleep_and_waking_keep_the_state_of_every_particle) {
 TEST(RestParticles, damping_rises_with_the_square_of_the_depth_in_the_ramp) {
   test::ParticleBlock b = moving_row();
   const Sleep s = sleep_for(b, 20 * dx);
-  rest_particles(b.particles, Tie{}, action_at({0, 0, 0}), s);
+  rest_particles(b.particles, Tie{}, region_at({0, 0, 0}), s);
   const auto x = host_copy(b.particles.position);
   const auto damping = host_copy(b.particles.damping);
   for (int i = 0; i < b.particles.count; ++i) {
@@ -214,7 +214,7 @@ TEST(RestParticles, pair_fields_stay_with_their_particles) {
   for (int i = 0; i < p.count; ++i) pressure(i, 0) = 2 * i, heat(i, 0) = 300 + i, heat(i, 1) = 7;
   Kokkos::deep_copy(p.pressure_state, pressure), Kokkos::deep_copy(p.heat_state, heat);
   test::build_lists(b);
-  rest_particles(p, Tie{}, action_at({39 * dx, 2 * dx, 2 * dx}), sleep_for(b, 10 * dx));
+  rest_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), sleep_for(b, 10 * dx));
   const auto identity = host_copy(p.identity);
   const auto p_after = host_copy(p.pressure_state);
   const auto h_after = host_copy(p.heat_state);

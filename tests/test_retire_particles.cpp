@@ -99,7 +99,7 @@ TEST(RetireParticles, nothing_leaves_where_there_is_no_work) {
   EXPECT_TRUE(row.with_bit(retired_bit).empty());
 }
 
-TEST(RetireParticles, no_list_no_action_and_no_waking_sees_it_again) {
+TEST(RetireParticles, no_list_and_no_active_region_sees_it_again) {
   FlyingRow row;
   Particles& p = row.p();
   row.retire(), row.rest();
@@ -110,8 +110,8 @@ TEST(RetireParticles, no_list_no_action_and_no_waking_sees_it_again) {
   const auto neighbor = host_copy(row.block.neighbors.neighbor);
   const auto start = host_copy(row.block.neighbors.start);
   for (long k = 0; k < start(row.block.neighbors.clusters); ++k) EXPECT_LT(neighbor(k), p.listed);
-  const auto action = host_copy(find_action(p, HexMesh{}, {row.tool, {}}, row.sleep()));
-  for (std::size_t k = 0; k < action.extent(0); ++k) EXPECT_LT(action(k, 0), 12 * dx);
+  const auto region = host_copy(find_active_region(p, HexMesh{}, {row.tool, {}}, row.sleep()));
+  for (std::size_t k = 0; k < region.extent(0); ++k) EXPECT_LT(region(k, 0), 12 * dx);
   row.retire(), row.rest();
   EXPECT_EQ(row.with_bit(retired_bit), retired);
 }

@@ -119,7 +119,7 @@ METHOD = [
 
 
 def asleep(scene, count):
-    """What is farther than so many spacings from the action sleeps."""
+    """What is farther than so many spacings from the active region freezes."""
     def change(deck):
         deck["sleep"] = {"distance": quantity(count * scene.spacing_of(deck), "um")}
     return change

@@ -128,10 +128,10 @@ struct ToolAt { // 0 facets: no tool
   const Tool& tool;
   ToolPose pose;
 };
-VectorField find_action(const Particles&, const HexMesh&, const ToolAt&, const Sleep&); // points [n]
-VectorField with_images(const VectorField& action, const std::vector<Transform>&);
-void rest_particles(Particles&, const Tie&, const VectorField& action, const Sleep&);
-void rest_hexes(const HexMesh&, const TransformTable&, const VectorField& action, const Sleep&);
+VectorField find_active_region(const Particles&, const HexMesh&, const ToolAt&, const Sleep&); // points [n]
+VectorField with_images(const VectorField& region, const std::vector<Transform>&);
+void rest_particles(Particles&, const Tie&, const VectorField& region, const Sleep&);
+void rest_hexes(const HexMesh&, const TransformTable&, const VectorField& region, const Sleep&);
 void find_tied_rows(const Tie&, const Particles&);                                     // tie.row
 VectorField find_work(const Particles&, const HexMesh&, const ToolAt&, const Retire&); // of retire.hpp
 void retire_particles(const Particles&, const VectorField& work, const ToolAt&,

@@ -152,7 +152,7 @@ std::string key_reference() {
   text += write_reference("[contact]", "Between the tool and the bodies; goes with [tool].", contact_keys());
   text += write_reference("[particles]", "Method of the particles.", particles_keys());
   text += write_reference("[hexes]", "Method of the hexes.", hexes_keys());
-  text += write_reference("[sleep]", "Points far from the action that take no part.", sleep_keys());
+  text += write_reference("[sleep]", "Points far from the active region that take no part.", sleep_keys());
   text += write_reference("[retire]", "Spent chip that leaves the computation.", retire_keys());
   text += write_reference("[run]", "Exactly one of end_time and end_immersion.", run_keys());
   text += write_reference("[output]", "What is written, and how often.", output_keys());

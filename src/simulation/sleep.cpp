@@ -71,7 +71,7 @@ Sleep Simulation::sleep_of() const {
   return s;
 }
 
-// Before what is left is put to sleep: a chip that has gone is no action.
+// Before what is left is put to sleep: a chip that has gone is not of the active region.
 void Simulation::retire() {
   Retire r;
   r.distance = Real(*deck.retire.distance), r.reach = Real(model.spacing);
@@ -85,24 +85,24 @@ void Simulation::rest() {
   Sleep sleep = sleep_of();
   if (deck.retire.distance) retire();
   const ToolAt tool{model.tool, pose()};
-  VectorField action = find_action(model.particles, model.hexes, tool, sleep);
-  if (action.extent(0) == 0) { // the tool is still on its way: where it is nearest, if it is near at all
+  VectorField region = find_active_region(model.particles, model.hexes, tool, sleep);
+  if (region.extent(0) == 0) { // the tool is still on its way: where it is nearest, if it is near at all
     sleep.near = model.tool.reach;
-    action = find_action(model.particles, model.hexes, tool, sleep);
+    region = find_active_region(model.particles, model.hexes, tool, sleep);
   }
-  action = with_images(action, image_maps(model));
-  rest_particles(model.particles, model.tie, action, sleep);
+  region = with_images(region, image_maps(model));
+  rest_particles(model.particles, model.tie, region, sleep);
   find_held_rows(model.held_rows, model.particles);
-  rest_hexes(model.hexes, model.node_transforms, action, sleep);
+  rest_hexes(model.hexes, model.node_transforms, region, sleep);
   rest_due = false, others_sleep = true, rested_at = now;
   next_check = std::min(next_check, steps + 1); // what wakes may ask for a shorter step
   timer.mark("sleep");
 }
 
-// Until the action is looked for again the tool may travel a quarter of what is near to it, the rest being
-// for the gap at which it touches; and what moves fastest, a fragment then, a quarter of the distance to
-// which all around it is awake. Without a tool a wave runs ahead of the points that it moves: these may go as
-// far as the action is known to. What has retired is looked for a spacing around.
+// Until the active region is looked for again the tool may travel a quarter of what is near to it, the rest
+// being for the gap at which it touches; and what moves fastest, a fragment then, a quarter of the distance
+// to which all around it is awake. Without a tool a wave runs ahead of the points that it moves: these may go
+// as far as the active region is known to. What has retired is looked for a spacing around.
 void Simulation::plan_rest(double speed) {
   if (!deck.sleep.distance) return;
   const Sleep s = sleep_of();

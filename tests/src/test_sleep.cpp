@@ -18,7 +18,7 @@ namespace {
 constexpr double mm = 1e-3, wave_length = 30 * mm, ramp = 60 * mm, distance = 150 * mm;
 
 // A bar 240 mm long of 1 mm, in plane strain. A wall slides past its near end and does not touch it, so that
-// the action is there. The end lies inside a cell of the action, and not on its face.
+// the active region is there. The end lies inside a cell of the active region, and not on its face.
 Deck make_bar(const std::string& fill, int across) {
   Deck deck = fill == "hexes" ? undamped() : shipped_defaults();
   deck.materials = {elastic_material(4430, 110e9, 0.33)};
@@ -99,7 +99,7 @@ int count_awake(const std::string& fill, const Triple& wall_position) {
 } // namespace
 
 // Across a corner too, where the image of an image lies.
-TEST(Sleep, is_as_near_to_the_action_across_periodic_faces) {
+TEST(Sleep, is_as_near_to_the_active_region_across_periodic_faces) {
   for (const char* fill : {"particles", "hexes"}) {
     const int in_the_middle = count_awake(fill, {30.75 * mm, 30.75 * mm, 5.2 * mm});
     EXPECT_GT(in_the_middle, 2000) << fill;

@@ -1,12 +1,12 @@
-// Points far from the action sleep: they keep their state and take no part in the step. They insulate against
-// heat; diffuse_pressure sees them as they fell asleep.
+// Points far from the active region sleep: they keep their state and take no part in the step. They insulate
+// against heat; diffuse_pressure sees them as they fell asleep.
 #pragma once
 #include "swarf/core/tensor.hpp"
 
 namespace swarf {
 
-// The action: points that the tool may touch soon, and points that move fast. With d the distance of a point
-// from the nearest of them, and lengths in m:
+// The active region: points that the tool may touch soon, and points that move fast. With d the distance of a
+// point from the nearest of them, and lengths in m:
 //   d <= distance                     moves; over the last `ramp` of it velocities are damped, so that waves
 //                                     which run outwards do not come back
 //   distance < d <= distance + margin is held if it is within `reach` of what moves: its stress follows the
@@ -19,9 +19,9 @@ struct Sleep {
   Real margin = 0;              // reach, and the length of a hex
   Real ramp = 0;
   Real damping = 0; // 1/s at d = distance
-  Real near = 0;    // from the tool: what is nearer is part of the action; at most tool.reach
-  Real speed = 0;   // m/s: what is as fast is part of the action
-  Real cell = 0;    // the action is known to cells of this size; d is at most their diagonal too short
+  Real near = 0;    // from the tool: what is nearer is part of the active region; at most tool.reach
+  Real speed = 0;   // m/s: what is as fast is part of the active region
+  Real cell = 0;    // the active region is known to cells of this size; d is at most their diagonal too short
   Real mass_factor = 1;
 };
 

@@ -11,10 +11,10 @@ constexpr Real dx = 1e-6;
 
 std::vector<Vector3> found(const test::ParticleBlock& b, const Tool& tool, const Sleep& s,
                            const std::vector<Transform>& maps = {}) {
-  const auto action =
-      host_copy(with_images(find_action(b.particles, HexMesh{}, {tool, ToolPose{}}, s), maps));
+  const auto region =
+      host_copy(with_images(find_active_region(b.particles, HexMesh{}, {tool, ToolPose{}}, s), maps));
   std::vector<Vector3> out;
-  for (std::size_t k = 0; k < action.extent(0); ++k) out.push_back(load_vector(action, int(k)));
+  for (std::size_t k = 0; k < region.extent(0); ++k) out.push_back(load_vector(region, int(k)));
   std::sort(out.begin(), out.end(), [](const Vector3& u, const Vector3& v) {
     return std::tie(u.z, u.y, u.x) < std::tie(v.z, v.y, v.x);
   });
@@ -27,24 +27,24 @@ void set_speed(const test::ParticleBlock& b, int row, Real speed) {
   Kokkos::deep_copy(b.particles.velocity, v);
 }
 
-TEST(FindAction, is_nowhere_in_a_body_at_rest_without_a_tool) {
+TEST(FindActiveRegion, is_nowhere_in_a_body_at_rest_without_a_tool) {
   Sleep s;
   s.speed = 1, s.cell = dx;
   EXPECT_TRUE(found(test::particle_block(5, 5, 5, dx), Tool{}, s).empty());
 }
 
-TEST(FindAction, is_where_points_move_faster_than_the_limit) {
+TEST(FindActiveRegion, is_where_points_move_faster_than_the_limit) {
   const test::ParticleBlock b = test::particle_block(5, 5, 5, dx);
   Sleep s;
   s.speed = 1, s.cell = dx;
   set_speed(b, 7, Real(1.01)), set_speed(b, 9, Real(-1.01)), set_speed(b, 30, Real(0.99));
-  const auto action = found(b, Tool{}, s);
-  ASSERT_EQ(action.size(), 2u);
-  EXPECT_NEAR(action[0].x, Real(2.5) * dx, Real(1e-3) * dx); // the middle of a cell, where the particle is
-  EXPECT_NEAR(action[1].x, Real(4.5) * dx, Real(1e-3) * dx);
+  const auto region = found(b, Tool{}, s);
+  ASSERT_EQ(region.size(), 2u);
+  EXPECT_NEAR(region[0].x, Real(2.5) * dx, Real(1e-3) * dx); // the middle of a cell, where the particle is
+  EXPECT_NEAR(region[1].x, Real(4.5) * dx, Real(1e-3) * dx);
 }
 
-TEST(FindAction, keeps_one_point_for_each_cell) {
+TEST(FindActiveRegion, keeps_one_point_for_each_cell) {
   const test::ParticleBlock b = test::particle_block(8, 8, 8, dx);
   for (int i = 0; i < 512; ++i) set_speed(b, i, 2);
   Sleep s;
@@ -53,7 +53,7 @@ TEST(FindAction, keeps_one_point_for_each_cell) {
 }
 
 // A face of the box lies at x = 5 um; rows of particles at 4.5, 5.5, 6.5 um.
-TEST(FindAction, is_what_is_nearer_to_the_tool_than_asked) {
+TEST(FindActiveRegion, is_what_is_nearer_to_the_tool_than_asked) {
   const test::ParticleBlock b = test::particle_block(20, 3, 3, dx);
   const Tool tool = test::make_box_tool({5 * dx, 5 * dx, 5 * dx}, 2 * dx);
   Sleep s;
@@ -64,14 +64,14 @@ TEST(FindAction, is_what_is_nearer_to_the_tool_than_asked) {
   }
 }
 
-TEST(FindAction, has_images_across_periodic_planes) {
+TEST(FindActiveRegion, has_images_across_periodic_planes) {
   const test::ParticleBlock b = test::particle_block(5, 5, 5, dx);
   set_speed(b, 0, 2);
   Sleep s;
   s.speed = 1, s.cell = dx;
-  const auto action = found(b, Tool{}, s, {Transform{identity3(), {0, 0, 5 * dx}}});
-  ASSERT_EQ(action.size(), 2u);
-  EXPECT_NEAR(action[1].z - action[0].z, 5 * dx, Real(1e-3) * dx);
+  const auto region = found(b, Tool{}, s, {Transform{identity3(), {0, 0, 5 * dx}}});
+  ASSERT_EQ(region.size(), 2u);
+  EXPECT_NEAR(region[1].z - region[0].z, 5 * dx, Real(1e-3) * dx);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// The distance of a point from the action (sleep.hpp), for the kernels that put to sleep.
+// The distance of a point from the active region (sleep.hpp), for the kernels that put to sleep.
 #pragma once
 #include "swarf/kernels.hpp"
 
@@ -21,7 +21,7 @@ struct BoxRuns {
 
 inline BoxRuns box_runs(const VectorField& low, const VectorField& high) {
   const int rows = int(low.extent(0)), count = (rows + BoxRuns::length - 1) / BoxRuns::length;
-  const BoxRuns runs{VectorField("action_low", count), VectorField("action_high", count)};
+  const BoxRuns runs{VectorField("region_low", count), VectorField("region_high", count)};
   Kokkos::parallel_for(
       "box_runs", Range(0, count), KOKKOS_LAMBDA(int run) {
         const int begin = run * BoxRuns::length, end = Kokkos::min(begin + BoxRuns::length, rows);
@@ -35,22 +35,22 @@ inline BoxRuns box_runs(const VectorField& low, const VectorField& high) {
   return runs;
 }
 
-// find_action gives the middles along a Hilbert curve, so that the boxes are small.
-struct ActionCells {
+// find_active_region gives the middles along a Hilbert curve, so that the boxes are small.
+struct RegionCells {
   VectorField middle;
   BoxRuns runs, runs_of_runs;
   Real size, beyond;
 };
 
-inline ActionCells group_cells(const VectorField& action, const Sleep& s) {
-  const BoxRuns runs = box_runs(action, action);
+inline RegionCells group_cells(const VectorField& region, const Sleep& s) {
+  const BoxRuns runs = box_runs(region, region);
   const Real farthest = s.distance + s.margin + s.reach;
-  return {action, runs, box_runs(runs.low, runs.high), s.cell, Real(1.01) * farthest};
+  return {region, runs, box_runs(runs.low, runs.high), s.cell, Real(1.01) * farthest};
 }
 
-// No more than from x to the action in the nearest of the cells, or `beyond`, which is farther than sleep
-// asks; 0 where there are none, so that all move.
-SWARF_FN Real distance_to(const ActionCells& cells, const Vector3& x) {
+// No more than from x to the active region in the nearest of the cells, or `beyond`, which is farther than
+// sleep asks; 0 where there are none, so that all move.
+SWARF_FN Real distance_to(const RegionCells& cells, const Vector3& x) {
   const int rows = int(cells.middle.extent(0)), length = BoxRuns::length;
   if (rows == 0) return 0;
   const Real half_diagonal = Real(0.5) * Kokkos::sqrt(Real(3)) * cells.size;

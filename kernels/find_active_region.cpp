@@ -1,7 +1,7 @@
-// Where the action is: the middle of each cell that holds a point that is nearer than sleep.near to the tool,
-// or at least as fast as sleep.speed. Reads position, velocity and constraints of all stored particles and
-// nodes; what has retired does not act. with_images: these points and their images across periodic and mirror
-// planes.
+// Where the active region is: the middle of each cell that holds a point that is nearer than sleep.near to
+// the tool, or at least as fast as sleep.speed. Reads position, velocity and constraints of all stored
+// particles and nodes; what has retired does not act. with_images: these points and their images across
+// periodic and mirror planes.
 #include "append_points.hpp"
 #include "swarf/tool/signed_distance.hpp"
 
@@ -32,10 +32,10 @@ CellGrid fixed_grid(const VectorField& points, int rows, Real cell) {
 
 // The middles of the cells that hold a point, along a Hilbert curve.
 VectorField thin_out(const VectorField& points, int rows, Real cell) {
-  if (rows == 0) return VectorField("action", 0);
+  if (rows == 0) return VectorField("active_region", 0);
   const CellGrid grid = fixed_grid(points, rows, cell);
   const KeyedRows sorted = sort_rows(points, first_rows(rows), hilbert_key_of(points, rows, grid));
-  VectorField kept("action", rows);
+  VectorField kept("active_region", rows);
   int count = 0;
   Kokkos::parallel_scan(
       "thin_out", Range(0, rows),
@@ -55,10 +55,10 @@ VectorField thin_out(const VectorField& points, int rows, Real cell) {
 
 } // namespace
 
-VectorField find_action(const Particles& p, const HexMesh& m, const ToolAt& at, const Sleep& sleep) {
+VectorField find_active_region(const Particles& p, const HexMesh& m, const ToolAt& at, const Sleep& sleep) {
   const ToolFrame frame = make_frame(at.pose);
   const Real speed2 = sleep.speed * sleep.speed;
-  VectorField found("action", 0);
+  VectorField found("active_region", 0);
   int rows = append_points(p.position, p.stored,
                            Acts{at.tool, frame, sleep.near, speed2, p.position, p.velocity, p.constraints},
                            found, 0);
@@ -70,7 +70,7 @@ VectorField find_action(const Particles& p, const HexMesh& m, const ToolAt& at, 
 
 VectorField with_images(const VectorField& points, const std::vector<Transform>& maps) {
   const int own = int(points.extent(0));
-  const VectorField all("action", own * (1 + int(maps.size())));
+  const VectorField all("active_region", own * (1 + int(maps.size())));
   Kokkos::deep_copy(Kokkos::subview(all, std::make_pair(0, own), Kokkos::ALL), points);
   for (int k = 0; k < int(maps.size()); ++k) {
     const int first = own * (k + 1);
