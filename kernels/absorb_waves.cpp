@@ -1,5 +1,5 @@
-// v' = -damping v, exactly over dt, where sleep begins (sleep.hpp): a wave that runs outwards fades before it
-// reaches what is held. Reads damping; writes velocity; the energy leaves by external_work.
+// v' = -damping v, exactly over dt, where freezing begins (freeze.hpp): a wave that runs outwards fades
+// before it reaches what is held. Reads damping; writes velocity; the energy leaves by external_work.
 #include "swarf/kernels.hpp"
 
 namespace swarf {

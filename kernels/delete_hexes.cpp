@@ -14,7 +14,7 @@ void delete_hexes(const HexMesh& m, const HexMethod& method) {
       "delete_hexes", Range(0, m.points.count), KOKKOS_LAMBDA(const int e) {
         const bool broken = failed && m.points.damage(e) >= Real(1);
         const bool strained = limit > Real(0) && m.points.equivalent_plastic_strain(e) >= limit;
-        if (m.active(e) == hex_asleep || (m.active(e) && !(broken || strained))) return;
+        if (m.active(e) == hex_frozen || (m.active(e) && !(broken || strained))) return;
         m.active(e) = 0;
         store_symmetric(m.points.stress, e, Symmetric3{});
         store_tensor(m.points.velocity_gradient, e, Tensor3{});

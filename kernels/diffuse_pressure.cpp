@@ -4,10 +4,10 @@
 // that a smooth field keeps its gradient: Antuono et al. (2010) for the density of a fluid. c' and h:
 // mass-scaled wave speed and smoothing length, means of the pair; the sum of V_i p_i is kept. The density
 // goes with the pressure, d(ln rho) = dp / K: the volume of a particle whose pressure is taken away again and
-// again would drift. So the sum of V_i is kept too, to first order, between particles of one K that are awake
-// and have not failed: the pressure of failed ones follows from their density. Reads stress, damage, K in
-// pair_stress, volume, inverse_support, impedance; writes stress and density; moves the elastic energy that
-// is lost from internal_work to hourglass_work.
+// again would drift. So the sum of V_i is kept too, to first order, between particles of one K that are
+// active and have not failed: the pressure of failed ones follows from their density. Reads stress, damage, K
+// in pair_stress, volume, inverse_support, impedance; writes stress and density; moves the elastic energy
+// that is lost from internal_work to hourglass_work.
 #include "copy_to_images.hpp"
 #include "swarf/material/thermal.hpp"
 #include "swarf/particles/pair.hpp"

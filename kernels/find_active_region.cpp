@@ -1,5 +1,5 @@
-// Where the active region is: the middle of each cell that holds a point that is nearer than sleep.near to
-// the tool, or at least as fast as sleep.speed. Reads position, velocity and constraints of all stored
+// Where the active region is: the middle of each cell that holds a point that is nearer than freeze.near to
+// the tool, or at least as fast as freeze.speed. Reads position, velocity and constraints of all stored
 // particles and nodes; what has retired does not act. with_images: these points and their images across
 // periodic and mirror planes.
 #include "append_points.hpp"
@@ -55,17 +55,17 @@ VectorField thin_out(const VectorField& points, int rows, Real cell) {
 
 } // namespace
 
-VectorField find_active_region(const Particles& p, const HexMesh& m, const ToolAt& at, const Sleep& sleep) {
+VectorField find_active_region(const Particles& p, const HexMesh& m, const ToolAt& at, const Freeze& freeze) {
   const ToolFrame frame = make_frame(at.pose);
-  const Real speed2 = sleep.speed * sleep.speed;
+  const Real speed2 = freeze.speed * freeze.speed;
   VectorField found("active_region", 0);
   int rows = append_points(p.position, p.stored,
-                           Acts{at.tool, frame, sleep.near, speed2, p.position, p.velocity, p.constraints},
+                           Acts{at.tool, frame, freeze.near, speed2, p.position, p.velocity, p.constraints},
                            found, 0);
   rows = append_points(m.position, m.nodes,
-                       Acts{at.tool, frame, sleep.near, speed2, m.position, m.velocity, m.constraints}, found,
-                       rows);
-  return thin_out(found, rows, sleep.cell);
+                       Acts{at.tool, frame, freeze.near, speed2, m.position, m.velocity, m.constraints},
+                       found, rows);
+  return thin_out(found, rows, freeze.cell);
 }
 
 VectorField with_images(const VectorField& points, const std::vector<Transform>& maps) {

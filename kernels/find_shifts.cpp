@@ -12,7 +12,7 @@
 namespace swarf {
 namespace {
 
-// m; what a face or sleep holds does not move.
+// m; what a face holds or is frozen does not move.
 SWARF_FN Real allowed_shift(const Particles& p, int i) {
   if (p.constraints(i) != 0) return 0;
   const Real strain = p.points.equivalent_plastic_strain(i) - p.shifted_strain(i);

@@ -15,15 +15,15 @@ SWARF_FN Real host_temperature(const Tie& tie, const HexMesh& m, int k) {
   return sum;
 }
 
-// Adds what has heated tied particle k itself since the last call; to one that sleeps conduction brought
+// Adds what has heated tied particle k itself since the last call; to one that is frozen conduction brought
 // nothing.
 void take_own_heat(const Tie& tie, const Particles& p, const HexMesh& m, const MaterialTable& materials) {
   const MaterialPoints points = p.points;
-  const int awake = p.count + p.tied;
+  const int active = p.count + p.tied;
   Kokkos::parallel_for(
       "take_own_heat", Range(0, tie.count), KOKKOS_LAMBDA(int k) {
         const int i = tie.row(k);
-        const Real conducted = i < awake ? p.heat(i) : Real(0);
+        const Real conducted = i < active ? p.heat(i) : Real(0);
         p.heat(i) = conducted + heat_between(materials(points.material(i)), points.mass(i),
                                              host_temperature(tie, m, k), points.temperature(i));
       });

@@ -2,14 +2,14 @@
 // the first layer R_own is half a spacing over the conductivity of the work, as in tool_contact.cpp; a node
 // lies on the face itself. Where the face is held (no film) a node takes its temperature, whatever that
 // needs. Reads temperature, mass, contact_gap, contact_area, heated_faces; writes temperature or nodal_heat;
-// adds to face_heat. Nodes whose hexes all sleep or are gone conduct nothing, and get nothing.
+// adds to face_heat. Nodes whose hexes are all frozen or are gone conduct nothing, and get nothing.
 #include "swarf/kernels.hpp"
 #include "swarf/material/heat.hpp"
 
 namespace swarf {
 namespace {
 
-SWARF_FN bool is_awake(const HexMesh& m, int a) {
+SWARF_FN bool is_active(const HexMesh& m, int a) {
   for (int k = m.corner_start(a); k < m.corner_start(a + 1); ++k)
     if (m.active(m.corner_of_node(k) / 8) == hex_active) return true;
   return false;
@@ -45,7 +45,7 @@ void heat_nodes(const HexMesh& m, const HeatedNodes& nodes, const HeatedFaces& f
   Kokkos::parallel_for(
       "heat_nodes", Range(0, nodes.count), KOKKOS_LAMBDA(const int n) {
         const int a = nodes.node(n);
-        if (!is_awake(m, a)) return;
+        if (!is_active(m, a)) return;
         const Real T = m.nodal_temperature(a), capacity = capacity_at(m, materials, a, T);
         Real heat = 0;
         for (int k = nodes.start(n); k < nodes.start(n + 1); ++k)
@@ -61,7 +61,7 @@ void hold_temperatures(const HexMesh& m, const HeatedNodes& nodes, const HeatedF
   Kokkos::parallel_for(
       "hold_temperatures", Range(0, nodes.count), KOKKOS_LAMBDA(const int n) {
         const int a = nodes.node(n);
-        if (!is_awake(m, a)) return;
+        if (!is_active(m, a)) return;
         for (int k = nodes.start(n); k < nodes.start(n + 1); ++k) {
           const HeatedFace& face = faces(nodes.face(k));
           if (face.resistance > Real(0)) continue;

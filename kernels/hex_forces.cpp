@@ -11,7 +11,7 @@ namespace swarf {
 void hex_forces(const HexMesh& m, const MaterialTable& materials, const HexMethod& set, Real dt) {
   Kokkos::parallel_for(
       "hex_forces", Range(0, m.points.count), KOKKOS_LAMBDA(const int e) {
-        if (m.active(e) == hex_asleep) return;
+        if (m.active(e) == hex_frozen) return;
         if (m.active(e) == hex_deleted) return store_corners(m.corner_force, e, HexVectors{});
         const Material& mat = materials(m.points.material(e));
         const Real volume = m.volume(e);

@@ -7,7 +7,7 @@ namespace swarf {
 // volume that tied particles leave, and an eighth of what has heated the hex since the last call, m c (T_e -
 // mean of T_a). The conductivity is that of the mean, the mean over a straight line of temperature. Reads
 // nodal_temperature, gradient, volume, share, position, mass and temperature of the hex; writes corner_heat
-// (0 for deleted hexes; sleeping ones conduct nothing).
+// (0 for deleted hexes; frozen ones conduct nothing).
 void hex_heat(const HexMesh& m, const MaterialTable& materials, Real dt) {
   Kokkos::parallel_for(
       "hex_heat", Range(0, m.points.count), KOKKOS_LAMBDA(const int e) {

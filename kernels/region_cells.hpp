@@ -1,4 +1,4 @@
-// The distance of a point from the active region (sleep.hpp), for the kernels that put to sleep.
+// The distance of a point from the active region (freeze.hpp), for the kernels that freeze.
 #pragma once
 #include "swarf/kernels.hpp"
 
@@ -42,14 +42,14 @@ struct RegionCells {
   Real size, beyond;
 };
 
-inline RegionCells group_cells(const VectorField& region, const Sleep& s) {
+inline RegionCells group_cells(const VectorField& region, const Freeze& s) {
   const BoxRuns runs = box_runs(region, region);
   const Real farthest = s.distance + s.margin + s.reach;
   return {region, runs, box_runs(runs.low, runs.high), s.cell, Real(1.01) * farthest};
 }
 
 // No more than from x to the active region in the nearest of the cells, or `beyond`, which is farther than
-// sleep asks; 0 where there are none, so that all move.
+// freezing asks; 0 where there are none, so that all move.
 SWARF_FN Real distance_to(const RegionCells& cells, const Vector3& x) {
   const int rows = int(cells.middle.extent(0)), length = BoxRuns::length;
   if (rows == 0) return 0;

@@ -65,9 +65,9 @@ void sort_particles(Particles& p, const CellGrid& lattice) {
   const Moves moves =
       moves_to(sort_rows(p.position, first_rows(p.count), hilbert_key_of(p.position, p.count, grid)));
   const PermuteScratch scratch(moves);
-  const bool sleeps = p.damping.extent(0) > 0; // what falls asleep keeps its pair fields
+  const bool freezes = p.damping.extent(0) > 0; // what is frozen keeps its pair fields
   for_each_field(p, [&](const char*, const auto& field, auto facts) {
-    if (facts.life == Life::history || (facts.life == Life::pair && sleeps)) permute(field, moves, scratch);
+    if (facts.life == Life::history || (facts.life == Life::pair && freezes)) permute(field, moves, scratch);
   });
 }
 

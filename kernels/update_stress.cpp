@@ -15,7 +15,7 @@ void update_stress(const MaterialPoints& p, const MaterialTable& materials, Real
   const bool all = active.extent(0) == 0, knows_heat = p.stress_temperature.extent(0) > 0;
   Kokkos::parallel_for(
       "update_stress", UnevenRange(0, p.count), KOKKOS_LAMBDA(const int i) {
-        if (!all && active(i) == hex_asleep) return;
+        if (!all && active(i) == hex_frozen) return;
         const MaterialState start{
             load_symmetric(p.stress, i), p.density(i),     p.equivalent_plastic_strain(i),
             p.plastic_strain_rate(i),    p.temperature(i), p.damage(i)};

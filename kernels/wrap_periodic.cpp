@@ -5,7 +5,7 @@
 namespace swarf {
 namespace {
 
-// Visits the table of fields for one particle. Pair fields, too: it may fall asleep before they are made
+// Visits the table of fields for one particle. Pair fields, too: it may be frozen before they are made
 // again.
 struct TurnRow {
   int i;

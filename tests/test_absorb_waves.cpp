@@ -1,4 +1,4 @@
-// The damping where sleep begins; what of a wave comes back from it is in src/test_sleep.cpp.
+// The damping where freezing begins; what of a wave comes back from it is in src/test_freeze.cpp.
 #include "support/materials.hpp"
 #include "swarf/kernels.hpp"
 #include <gtest/gtest.h>

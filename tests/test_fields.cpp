@@ -147,10 +147,10 @@ TEST(Fields, NoTwoRowsShareANameAndEachFitsItsColumns) {
   for_each_field(hexes, look);
 }
 
-TEST(Fields, SortingMovesHistoryAndWhatSleepingRowsKeep) {
-  for (const bool sleeps : {true, false}) {
+TEST(Fields, SortingMovesHistoryAndWhatFrozenRowsKeep) {
+  for (const bool freezes : {true, false}) {
     Particles p = filled_particles();
-    if (!sleeps) p.damping = ScalarField();
+    if (!freezes) p.damping = ScalarField();
     set_rows(p.position, rows, [](const Vector3& x) { return Vector3{-x.x, x.y, x.z}; });
     const RowsOf before = read(p);
     sort_particles(p, {{0, 0, 0}, 1});
@@ -162,7 +162,7 @@ TEST(Fields, SortingMovesHistoryAndWhatSleepingRowsKeep) {
       moved += from != i;
       for_each_field(p, [&](const char* name, const auto& field, auto facts) {
         if (field.extent(0) == 0) return;
-        const bool goes = facts.life == Life::history || (facts.life == Life::pair && sleeps);
+        const bool goes = facts.life == Life::history || (facts.life == Life::pair && freezes);
         EXPECT_EQ(after.at(name)[i], before.at(name)[goes ? from : i]) << name;
       });
     }

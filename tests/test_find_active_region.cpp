@@ -9,7 +9,7 @@ namespace {
 
 constexpr Real dx = 1e-6;
 
-std::vector<Vector3> found(const test::ParticleBlock& b, const Tool& tool, const Sleep& s,
+std::vector<Vector3> found(const test::ParticleBlock& b, const Tool& tool, const Freeze& s,
                            const std::vector<Transform>& maps = {}) {
   const auto region =
       host_copy(with_images(find_active_region(b.particles, HexMesh{}, {tool, ToolPose{}}, s), maps));
@@ -28,14 +28,14 @@ void set_speed(const test::ParticleBlock& b, int row, Real speed) {
 }
 
 TEST(FindActiveRegion, is_nowhere_in_a_body_at_rest_without_a_tool) {
-  Sleep s;
+  Freeze s;
   s.speed = 1, s.cell = dx;
   EXPECT_TRUE(found(test::particle_block(5, 5, 5, dx), Tool{}, s).empty());
 }
 
 TEST(FindActiveRegion, is_where_points_move_faster_than_the_limit) {
   const test::ParticleBlock b = test::particle_block(5, 5, 5, dx);
-  Sleep s;
+  Freeze s;
   s.speed = 1, s.cell = dx;
   set_speed(b, 7, Real(1.01)), set_speed(b, 9, Real(-1.01)), set_speed(b, 30, Real(0.99));
   const auto region = found(b, Tool{}, s);
@@ -47,7 +47,7 @@ TEST(FindActiveRegion, is_where_points_move_faster_than_the_limit) {
 TEST(FindActiveRegion, keeps_one_point_for_each_cell) {
   const test::ParticleBlock b = test::particle_block(8, 8, 8, dx);
   for (int i = 0; i < 512; ++i) set_speed(b, i, 2);
-  Sleep s;
+  Freeze s;
   s.speed = 1, s.cell = Real(4) * dx;
   EXPECT_EQ(found(b, Tool{}, s).size(), 8u);
 }
@@ -56,7 +56,7 @@ TEST(FindActiveRegion, keeps_one_point_for_each_cell) {
 TEST(FindActiveRegion, is_what_is_nearer_to_the_tool_than_asked) {
   const test::ParticleBlock b = test::particle_block(20, 3, 3, dx);
   const Tool tool = test::make_box_tool({5 * dx, 5 * dx, 5 * dx}, 2 * dx);
-  Sleep s;
+  Freeze s;
   s.speed = 1, s.cell = dx;
   for (const auto& [near, columns] : {std::pair{0.4, 5u}, {0.6, 6u}, {1.6, 7u}}) {
     s.near = Real(near) * dx;
@@ -67,7 +67,7 @@ TEST(FindActiveRegion, is_what_is_nearer_to_the_tool_than_asked) {
 TEST(FindActiveRegion, has_images_across_periodic_planes) {
   const test::ParticleBlock b = test::particle_block(5, 5, 5, dx);
   set_speed(b, 0, 2);
-  Sleep s;
+  Freeze s;
   s.speed = 1, s.cell = dx;
   const auto region = found(b, Tool{}, s, {Transform{identity3(), {0, 0, 5 * dx}}});
   ASSERT_EQ(region.size(), 2u);

@@ -174,7 +174,7 @@ TEST(FindShifts, TurnsWithTheBlock) {
   }
 }
 
-// What a face holds, sleeps or is tied stays with all it has; it is a neighbour all the same.
+// What a face holds, is frozen or is tied stays with all it has; it is a neighbour all the same.
 TEST(FindShifts, WhatIsHeldOrTiedStays) {
   ParticleBlock b = flowing_block(8, 7, 6, Real(0.2), plenty);
   Particles& p = b.particles;

@@ -97,9 +97,9 @@ TEST(HeatFaces, HeldNodesEndAtTheirTemperatureAndBookIt) {
   EXPECT_EQ(host_copy(b.mesh.face_heat)(1), Real(0));
 }
 
-TEST(HeatFaces, NodesOfSleepingHexesGetNothing) {
+TEST(HeatFaces, NodesOfFrozenHexesGetNothing) {
   const HotHexes b = hot_hexes();
-  Kokkos::deep_copy(b.mesh.active, int(hex_asleep));
+  Kokkos::deep_copy(b.mesh.active, int(hex_frozen));
   const HeatedNodes nodes = nodes_of({0, 4}, 0, Real(2.5e-11));
   heat_nodes(b.mesh, nodes, faces_of({{Real(1e-6), 300}}), b.materials, Real(1e-6));
   hold_temperatures(b.mesh, nodes, faces_of({{0, 300}}), b.materials);

@@ -99,8 +99,8 @@ TEST(HoldFaces, ADrivenFaceDoesTheWorkOfItsReaction) {
   EXPECT_NEAR(external, dot(reaction, face), round_off * std::abs(given));
 }
 
-// A host that sleeps stands still, and so does what follows it at a fixed face.
-TEST(HoldFaces, OfASleepingHostTheRowStands) {
+// A host that is frozen stands still, and so does what follows it at a fixed face.
+TEST(HoldFaces, OfAFrozenHostTheRowStands) {
   const Lever l = make_lever({0, 0, 0});
   const auto bits = host_copy(l.motion.constraints);
   bits(0) |= held_bit;

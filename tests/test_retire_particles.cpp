@@ -1,4 +1,4 @@
-// What leaves and what stays, that no list and no waking sees it again, that the sums keep what it took
+// What leaves and what stays, that no list sees it again, that the sums keep what it took
 // along, its flight, and what it meets there.
 #include "support/box_tool.hpp"
 #include "support/materials.hpp"
@@ -35,9 +35,9 @@ struct FlyingRow {
   void place_work(const Vector3& x) { test::set_row(work, 0, x); }
   Retire settings(Real elapsed = 0) const { return {10 * dx, Real(1.1) * dx, elapsed, first}; }
   void retire(Real elapsed = 0) { retire_particles(p(), work, {tool, {}}, settings(elapsed)); }
-  void rest() { rest_particles(p(), Tie{}, VectorField("none", 0), sleep()); }
-  Sleep sleep() const {
-    Sleep s;
+  void freeze() { freeze_particles(p(), Tie{}, VectorField("none", 0), freeze_limits()); }
+  Freeze freeze_limits() const {
+    Freeze s;
     s.distance = 10 * dx, s.ramp = 5 * dx, s.margin = s.reach = block.neighbors.cutoff, s.cell = dx;
     return s;
   }
@@ -102,7 +102,7 @@ TEST(RetireParticles, nothing_leaves_where_there_is_no_work) {
 TEST(RetireParticles, no_list_and_no_active_region_sees_it_again) {
   FlyingRow row;
   Particles& p = row.p();
-  row.retire(), row.rest();
+  row.retire(), row.freeze();
   const auto retired = row.with_bit(retired_bit);
   EXPECT_EQ(p.count + int(retired.size()), p.stored);
   EXPECT_EQ(retired.front(), p.listed);
@@ -110,9 +110,9 @@ TEST(RetireParticles, no_list_and_no_active_region_sees_it_again) {
   const auto neighbor = host_copy(row.block.neighbors.neighbor);
   const auto start = host_copy(row.block.neighbors.start);
   for (long k = 0; k < start(row.block.neighbors.clusters); ++k) EXPECT_LT(neighbor(k), p.listed);
-  const auto region = host_copy(find_active_region(p, HexMesh{}, {row.tool, {}}, row.sleep()));
+  const auto region = host_copy(find_active_region(p, HexMesh{}, {row.tool, {}}, row.freeze_limits()));
   for (std::size_t k = 0; k < region.extent(0); ++k) EXPECT_LT(region(k, 0), 12 * dx);
-  row.retire(), row.rest();
+  row.retire(), row.freeze();
   EXPECT_EQ(row.with_bit(retired_bit), retired);
 }
 
@@ -120,7 +120,7 @@ TEST(RetireParticles, mass_momentum_and_energy_stay_in_the_sums_bit_by_bit_of_ea
   FlyingRow row;
   const Real factor = 100, exact = 10 * test::round_off;
   const PointSums before = sum_particles(row.p(), factor);
-  row.retire(), row.rest();
+  row.retire(), row.freeze();
   const PointSums after = sum_particles(row.p(), factor);
   EXPECT_NEAR(after.kinetic / before.kinetic, 1, exact);
   EXPECT_NEAR(after.internal / before.internal, 1, exact);

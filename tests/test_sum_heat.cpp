@@ -10,7 +10,7 @@ namespace {
 
 const Material mat = test::ti64();
 
-// m c (T - reference) of all rows, awake or not, the tied among them; the share of the plastic work that
+// m c (T - reference) of all rows, active or not, the tied among them; the share of the plastic work that
 // heats.
 TEST(SumHeat, OfParticles) {
   Particles p;

@@ -65,7 +65,7 @@ TEST(SumPoints, OfManyBlocks) {
   Real sum = 0;
   for (const Real n : number) sum += n;
   EXPECT_EQ(sum_particles(p, 1).external, sum);
-  PointSums parts = sum_particles(p, 1, 0, 1500); // awake, and asleep
+  PointSums parts = sum_particles(p, 1, 0, 1500); // active, and frozen
   parts.add(sum_particles(p, 1, 1500, p.stored));
   EXPECT_EQ(parts.external, sum);
 }

@@ -118,7 +118,7 @@ METHOD = [
 ]
 
 
-def asleep(scene, count):
+def frozen(scene, count):
     """What is farther than so many spacings from the active region freezes."""
     def change(deck):
         deck["sleep"] = {"distance": quantity(count * scene.spacing_of(deck), "um")}
@@ -128,7 +128,7 @@ def asleep(scene, count):
 def retired(scene, count):
     """Spent chip leaves as well that is farther than so many spacings from all."""
     def change(deck):
-        asleep(scene, 24)(deck)
+        frozen(scene, 24)(deck)
         deck["retire"] = {"distance": quantity(count * scene.spacing_of(deck), "um")}
     return change
 
@@ -149,8 +149,8 @@ def converting(scene, count):
 def work_of(scene):
     """What the work is made of: settings of the scene, not of the method."""
     return [
-        ("sleep", "sleep beyond 16 dx", asleep(scene, 16), ALWAYS),
-        ("sleep", "sleep beyond 24 dx", asleep(scene, 24), ALWAYS),
+        ("sleep", "sleep beyond 16 dx", frozen(scene, 16), ALWAYS),
+        ("sleep", "sleep beyond 24 dx", frozen(scene, 24), ALWAYS),
         ("sleep", "sleep beyond 24 dx, retire beyond 8 dx", retired(scene, 8), ALWAYS),
         ("slice", "slice 3 dx", lambda deck: scene.set_slice(deck, 3), ALWAYS),
         ("slice", "slice 6 dx", lambda deck: scene.set_slice(deck, 6), ALWAYS),

@@ -5,7 +5,7 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from swarf import labels, reports
 
 OF_HEXES = ("hex_velocity_gradient", "hex_forces", "hex_heat", "gather_corner_forces", "couple_nodes", "delete_hexes",
-            "rest_hexes", "choose_hexes")
+            "freeze_hexes", "choose_hexes")
 OFF = ("sum_density", "reference_gradient")  # of options that no deck here has: a crowd of labels
 
 

@@ -53,7 +53,7 @@ def draw(found):
     components = [smooth(numpy.array(bins[name]), width)[0] for name in ("force_x", "force_y")]
     middles = smooth(angle, width)[0]
     curve.plot(middles, numpy.hypot(*components), color="black", linewidth=2, label=f"whole pass, means over {width}°")
-    for name, style, what in (("asleep", "--", "its far part asleep"), ("retired", ":", "its spent chip retired as well")):
+    for name, style, what in (("frozen", "--", "its far part frozen"), ("retired", ":", "its spent chip retired as well")):
         if name in found:
             part = found[name]["bins"]
             curve.plot(smooth(numpy.array(part["immersion"]), width)[0],
@@ -176,15 +176,15 @@ def write_cost(part, whole):
             " % of the whole.")
 
 
-def write_asleep(found):
-    whole, lines = found["whole"], ["## The whole pass with its far part asleep", ""]
-    for asleep in (found[name] for name in ("asleep", "asleep_nearer") if name in found):
-        lines += [f"- `[sleep] distance = \"{asleep['distance']}\"`: {100 * asleep['awake']:.0f} % of the particles were awake on "
+def write_frozen(found):
+    whole, lines = found["whole"], ["## The whole pass with its far part frozen", ""]
+    for frozen in (found[name] for name in ("frozen", "frozen_nearer") if name in found):
+        lines += [f"- `[sleep] distance = \"{frozen['distance']}\"`: {100 * frozen['active']:.0f} % of the particles were active on "
                   f"the mean, near the tooth that cuts, and at both ends of the pass near the other one."
-                  f"{write_cost(asleep, whole)} {compare(asleep, whole)}; worst energy residual "
-                  f"{100 * asleep['energy_residual']:.2f} % of the external work."]
-    if "asleep_nearer" in found:
-        lines += ["", f"The two against each other: {compare(found['asleep_nearer'], found['asleep'])}. If the border did this, "
+                  f"{write_cost(frozen, whole)} {compare(frozen, whole)}; worst energy residual "
+                  f"{100 * frozen['energy_residual']:.2f} % of the external work."]
+    if "frozen_nearer" in found:
+        lines += ["", f"The two against each other: {compare(found['frozen_nearer'], found['frozen'])}. If the border did this, "
                   "the nearer one would do more. Passes of this coarse slice scatter: the force swings over more than a "
                   "stretch, so that the standard errors are too small."]
     return lines + [""]
@@ -199,13 +199,13 @@ def write_retired(found):
     whole, part = found["whole"], found["retired"]
     left = part["retired"]
     lines = ["## The whole pass with its spent chip retired as well", "",
-             f"`[retire] distance = \"{part['retire_distance']}\"`: {100 * part['awake']:.0f} % of the particles were awake on "
+             f"`[retire] distance = \"{part['retire_distance']}\"`: {100 * part['active']:.0f} % of the particles were active on "
              f"the mean.{write_cost(part, whole)} {compare(part, whole)}; worst energy residual "
              f"{100 * part['energy_residual']:.2f} % of the external work.", "",
              f"{left['particles']} particles left. Had they flown on in a straight line, {left['met_since']} of them would have "
              f"met the tool or the work since, which the forces lack.{write_origin(part)}"]
-    if "asleep" in found:
-        lines += ["", f"Against the pass with only its far part asleep, at the same angles. {compare(part, found['asleep'])}."]
+    if "frozen" in found:
+        lines += ["", f"Against the pass with only its far part frozen, at the same angles. {compare(part, found['frozen'])}."]
     return lines + [""]
 
 
@@ -220,20 +220,20 @@ def write_summary(found):
         if len(pairs) > 2:
             yield (f"- Windows of {windows['width']} deg after {windows['run_in']} deg of run-in: mean force "
                    f"{ratio_text(pairs)} against the whole pass{cost(windows['core_seconds'], whole)}.")
-    if "asleep" in found:
-        yield (f"- The whole pass with its far part asleep: mean force {ratio_text(stretches(found['asleep'], whole))} "
-               f"against the whole pass awake{cost(found['asleep']['core_seconds'], whole)}.")
+    if "frozen" in found:
+        yield (f"- The whole pass with its far part frozen: mean force {ratio_text(stretches(found['frozen'], whole))} "
+               f"against the whole pass active{cost(found['frozen']['core_seconds'], whole)}.")
     if "finer" in found:
         finer = found["finer"]["whole"]
         fine = next(one for one in found["finer"]["windows"] if one["spacing"] == finer["spacing"])
         pairs = [(one["force_planar"], one["whole_planar"]) for one in fine["windows"] if "whole_planar" in one]
-        yield (f"- In cells of {fine['spacing']:g} um: windows {ratio_text(pairs)} against the pass asleep"
+        yield (f"- In cells of {fine['spacing']:g} um: windows {ratio_text(pairs)} against the pass frozen"
                f"{cost(fine['core_seconds'], finer)}.")
     if {"scene", "scene_pass"} <= found.keys():
         rows = found["scene"]["rows"]
         pairs = [(row["force_planar"], row["whole_planar"]) for row in rows if "whole_planar" in row]
         yield (f"- The whole scene (`{found['scene']['deck']}`): {len(pairs)} windows {ratio_text(pairs)} against the "
-               f"pass asleep{cost(sum(row['core_seconds'] for row in rows), found['scene_pass'])}.")
+               f"pass frozen{cost(sum(row['core_seconds'] for row in rows), found['scene_pass'])}.")
 
 
 def write_page(found):
@@ -255,7 +255,7 @@ def write_page(found):
         lines += [f"## Windows of {windows['width']} deg after {windows['run_in']} deg of run-in", "",
                   *write_table(windows), ""]
     lines += write_probes(found)
-    lines += write_asleep(found) if "asleep" in found else []
+    lines += write_frozen(found) if "frozen" in found else []
     lines += write_retired(found) if "retired" in found else []
     lines += finer_page.write(found) if "finer" in found else []
     lines += scene_page.write(found) if "scene" in found else []

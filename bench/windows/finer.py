@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The pass and its windows again in smaller cells: is what windows miss where the chip is thin the chip's history, or
-too few particles across it? Writes the entry "finer" of results.json. The whole pass has its far part asleep.
+too few particles across it? Writes the entry "finer" of results.json. The whole pass has its far part frozen.
 
 usage: finer.py PROGRAM [--no-run]
 """
@@ -36,8 +36,8 @@ def run(program):
         first = 10 if spacing == WHOLE else THIN[0]
         subprocess.run([program, "run", deck, "--windows", f"{first}:{THIN[1]}:20", "--output", measure.RESULTS / name,
                         "--threads", "1", "--no-pictures", "--resume"], check=True)
-    asleep = deck_of(WHOLE, **{"sleep.distance": measure.SLEEP_DISTANCE})
-    measure.run_whole(program, "whole_finer", measure.write_deck("whole_finer", asleep))
+    frozen = deck_of(WHOLE, **{"sleep.distance": measure.SLEEP_DISTANCE})
+    measure.run_whole(program, "whole_finer", measure.write_deck("whole_finer", frozen))
 
 
 def measure_windows(spacing, whole):

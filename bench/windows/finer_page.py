@@ -67,8 +67,8 @@ def write(found):
     cost = ""
     if "core_seconds" in whole:
         cost = (f" The windows took {fine['core_seconds']:.0f} core-seconds: "
-                f"{100 * fine['core_seconds'] / whole['core_seconds']:.0f} % of that pass, which sleeps.")
-    lines += [f"Against the whole pass in cells of {whole['spacing']:g} um, its far part asleep ({state}): mean force "
+                f"{100 * fine['core_seconds'] / whole['core_seconds']:.0f} % of that pass, which freezes its far part.")
+    lines += [f"Against the whole pass in cells of {whole['spacing']:g} um, its far part frozen ({state}): mean force "
               f"{percent(ratio - 1)}, standard error {100 * error:.1f} % from the scatter of "
               f"{len(rows)} windows.{cost}"]
     head = ["immersion / deg", "uncut chip, cells", "window / N", "whole pass / N", "difference", "core-seconds"]

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Runs a pass as a whole, with its far part asleep, with its spent chip retired as well, and as windows, and compares
+"""Runs a pass as a whole, with its far part frozen, with its spent chip retired as well, and as windows, and compares
 their forces: results.json beside this file. What it holds of runs that are not here stays.
 
 usage: measure.py PROGRAM [--scene] [--only NAME] [--no-run]
---scene: runs the whole scene too, hours: its windows, and its pass with the far part asleep on all cores
---only NAME: runs only that one of the parts "asleep", "asleep_nearer" and "retired"
+--scene: runs the whole scene too, hours: its windows, and its pass with the far part frozen on all cores
+--only NAME: runs only that one of the parts "frozen", "frozen_nearer" and "retired"
 --no-run: measures what has run, also an unfinished whole pass, or an interrupted part
 """
 import json
@@ -31,21 +31,21 @@ RESULTS = ROOT / "results" / "windows"
 # them makes the difference.
 PROBES = {"probe_ahead": {"run_in": 10, "ahead": 21}, "probe_run_in": {"run_in": 40, "ahead": AHEAD}}
 PROBED = 150  # deg
-# One window of the whole scene, its far part asleep, where it differs most from the pass, by its run-in in deg.
+# One window of the whole scene, its far part frozen, where it differs most from the pass, by its run-in in deg.
 SCENE_PROBES = {"scene_probe_8": 8, "scene_probe_28": 28}
 SCENE_PROBED = 90  # deg
 SLEEP_DISTANCE = RETIRE_DISTANCE = "60 um"
-SCENE_ASLEEP = {"sleep.distance": swarf.read_deck(SCENE)["sleep"]["distance"]}
-PARTS = {"asleep": {"sleep.distance": SLEEP_DISTANCE}, "asleep_nearer": {"sleep.distance": "48 um"},
+SCENE_FROZEN = {"sleep.distance": swarf.read_deck(SCENE)["sleep"]["distance"]}
+PARTS = {"frozen": {"sleep.distance": SLEEP_DISTANCE}, "frozen_nearer": {"sleep.distance": "48 um"},
          "retired": {"sleep.distance": SLEEP_DISTANCE, "retire.distance": RETIRE_DISTANCE}}
-SCENE_MASS = {"run.mass_factor": 2e4}  # the same windows asleep under twice the scene's mass factor
+SCENE_MASS = {"run.mass_factor": 2e4}  # the same windows frozen under twice the scene's mass factor
 CUTTING = "tooth1_"  # with a helix the tooth before still leaves while this one enters: a window has not that one
-SCENES = ("scene", "scene_asleep", "scene_mass")  # windows of the whole scene
+SCENES = ("scene", "scene_frozen", "scene_mass")  # windows of the whole scene
 BIN = 1.0  # deg
 
 
 def vary(deck, changes):
-    """The deck of this file as a whole pass, awake, with these changes."""
+    """The deck of this file as a whole pass, active, with these changes."""
     return swarf.vary(swarf.read_deck(deck), {"windows": None, "sleep": None, **changes})
 
 
@@ -71,12 +71,12 @@ def run(program):
         run_windows(program, name, DECK, {"first": PROBED, "last": PROBED, "step": 20, "width": WIDTH, **keys})
     if "--scene" in sys.argv:
         run_windows(program, "scene", SCENE, SCENE_WINDOWS)
-        run_windows(program, "scene_asleep", SCENE, SCENE_WINDOWS, SCENE_ASLEEP)
-        run_windows(program, "scene_mass", SCENE, SCENE_WINDOWS, SCENE_MASS | SCENE_ASLEEP)
+        run_windows(program, "scene_frozen", SCENE, SCENE_WINDOWS, SCENE_FROZEN)
+        run_windows(program, "scene_mass", SCENE, SCENE_WINDOWS, SCENE_MASS | SCENE_FROZEN)
         for name, run_in in SCENE_PROBES.items():
             one = {"first": SCENE_PROBED, "last": SCENE_PROBED, "run_in": run_in}
-            run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, SCENE_ASLEEP)
-        run_whole(program, "scene_pass", write_deck("scene_pass", vary(SCENE, SCENE_ASLEEP)), os.cpu_count())
+            run_windows(program, name, SCENE, {**SCENE_WINDOWS, **one}, SCENE_FROZEN)
+        run_whole(program, "scene_pass", write_deck("scene_pass", vary(SCENE, SCENE_FROZEN)), os.cpu_count())
     for name in PARTS:
         run_part(program, name)
     run_whole(program, "whole", DECK)
@@ -161,7 +161,7 @@ def measure_windows(run_in, whole):
 
 
 def sleep_distance(deck):
-    """None where nothing sleeps; run writes its deck in m"""
+    """None where nothing is frozen; run writes its deck in m"""
     distance = deck.get("sleep", {}).get("distance")
     return distance and swarf.quantity(swarf.si(distance), "um", 6)
 
@@ -184,7 +184,7 @@ def measure_part(name):
              "threads": sorted({cost["threads"] for cost in costs}),
              "peak_memory_bytes": max(cost["peak_memory_bytes"] for cost in costs),
              **{key: summary[key] for key in ("particles", "hexes", "steps", "leaked_particles")},
-             "bins": bins(samples), "awake": moved / (summary["particles"] * summary["steps"]),
+             "bins": bins(samples), "active": moved / (summary["particles"] * summary["steps"]),
              "energy_residual": summary["energies"]["worst_residual_over_external"]}
     if not run.is_complete:
         found["end"] = samples[-1][0]

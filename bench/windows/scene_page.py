@@ -45,11 +45,11 @@ def write_pass(found):
     lines = ["![Force of the whole scene over immersion](windows_scene.png)", "",
              "![The chip of the whole scene at five angles, coloured by temperature](../chip_scene.png)", "",
              f"The whole pass, with `[sleep] distance = \"{whole['distance']}\"` and `courant = {whole['courant']}`: {whole['particles']} "
-             f"particles and {whole['hexes']} hexes, of the particles {100 * whole['awake']:.1f} % awake on the mean. {to}: "
+             f"particles and {whole['hexes']} hexes, of the particles {100 * whole['active']:.1f} % active on the mean. {to}: "
              f"{whole['steps']} steps, {whole['core_seconds']:.0f} core-seconds ({whole['wall_seconds'] / 3600:.2f} h on "
              f"{' and '.join(map(str, whole['threads']))} threads of an {whole['machine']}; {hours(whole['core_seconds'])} if two cores shared it evenly), "
              f"{whole['peak_memory_bytes'] / 2**20:.0f} MiB, worst energy residual {100 * whole['energy_residual']:.2f} % of the "
-             f"external work, {whole['leaked_particles']} leaked particles. The same pass without sleep has not been run.", ""]
+             f"external work, {whole['leaked_particles']} leaked particles. The same pass without freezing has not been run.", ""]
     if "scene_passes_before" in found:
         lines += ["How far passes of this scene are apart: it has run before, with other round-off, and as said. This pass against "
                   "those:", ""]
@@ -84,7 +84,7 @@ def write_probes(found):
 
     middles = [angle for angle in numpy.arange(at, 0, -width)[::-1] if force(probes[-1]["bins"], angle)]
     lines = [f"### What the run-in does, at {at:g} deg", "",
-             f"The same window with its far part asleep as well (`[sleep] distance = \"{probes[0]['distance']}\"`), "
+             f"The same window with its far part frozen as well (`[sleep] distance = \"{probes[0]['distance']}\"`), "
              f"after short and long run-in, in means over {width} deg while it turns, against the cutting tooth of the whole pass:"]
     head = ["immersion / deg", "whole pass / N"]
     for one in probes:
@@ -121,15 +121,15 @@ def write_change(found, title, text, name, reference):
 
 def write_changes(found):
     lines = []
-    if "scene_asleep" in found:
-        lines += write_change(found, "What sleep does", "The same windows with their far part asleep (`[sleep] distance = "
-                              f"\"{found['scene_asleep']['distance']}\"`)", "scene_asleep", "scene")
+    if "scene_frozen" in found:
+        lines += write_change(found, "What freezing does", "The same windows with their far part frozen (`[sleep] distance = "
+                              f"\"{found['scene_frozen']['distance']}\"`)", "scene_frozen", "scene")
     if "scene_mass" in found:
         mass = found["scene_mass"]
         lines += write_change(found, "What more mass does",
-                              f"The windows asleep under `mass_factor = {mass['mass_factor']:g}`, twice the deck's, against them under "
-                              f"the deck's (run on an {mass['machine']}, those without it on an {found['scene_asleep']['machine']})",
-                              "scene_mass", "scene_asleep")
+                              f"The windows frozen under `mass_factor = {mass['mass_factor']:g}`, twice the deck's, against them under "
+                              f"the deck's (run on an {mass['machine']}, those without it on an {found['scene_frozen']['machine']})",
+                              "scene_mass", "scene_frozen")
     return lines
 
 
@@ -144,7 +144,7 @@ def write(found):
              f"`{scene['deck']}` at full resolution, with its helix and the full depth of cut. Windows of "
              f"{scene['width']} deg after {scene['run_in']} deg of run-in took {core_seconds:.0f} core-seconds each on the "
              f"mean: {count} take {hours(count * core_seconds)} on two cores that do nothing else. From them swarf predicts "
-             f"{hours(scene['predicted_core_seconds'])} for the whole pass without sleep.", ""]
+             f"{hours(scene['predicted_core_seconds'])} for the whole pass without freezing.", ""]
     lines += write_pass(found) if "scene_pass" in found else []
     head = ["immersion / deg", "uncut chip at the end face / um", "planar / N", "standard error / N",
             "whole pass, same tooth / N", "difference", "F_x / N", "F_y / N", "F_z / N", "particles", "hexes", "steps",

@@ -88,7 +88,7 @@ void couple_nodes(const HexMesh&, const TransformTable&,
 void couple_heat(const HexMesh&, const TransformTable&); // periodic pairs share nodal_heat
 
 // --- both
-// active: of hexes, those asleep are left out; empty: all points.
+// active: of hexes, frozen ones are left out; empty: all points.
 void update_stress(const MaterialPoints&, const MaterialTable&, Real dt, const Status&,
                    const View<int*>& active = {});
 void tool_contact(const ContactPoints&, const Tool&, const ToolPose&, const ContactLaw&, const MaterialTable&,
@@ -123,19 +123,19 @@ View<Real* [shown_on_tool]> show_tool_surface(const Tool&, Real duration); // of
 View<Real* [4]> distance_to_tool(const Tool&,
                                  const VectorField& x); // signed, and outward normal, of points x
 
-// --- sleep
+// --- the active region, and what is frozen
 struct ToolAt { // 0 facets: no tool
   const Tool& tool;
   ToolPose pose;
 };
-VectorField find_active_region(const Particles&, const HexMesh&, const ToolAt&, const Sleep&); // points [n]
+VectorField find_active_region(const Particles&, const HexMesh&, const ToolAt&, const Freeze&); // points [n]
 VectorField with_images(const VectorField& region, const std::vector<Transform>&);
-void rest_particles(Particles&, const Tie&, const VectorField& region, const Sleep&);
-void rest_hexes(const HexMesh&, const TransformTable&, const VectorField& region, const Sleep&);
+void freeze_particles(Particles&, const Tie&, const VectorField& region, const Freeze&);
+void freeze_hexes(const HexMesh&, const TransformTable&, const VectorField& region, const Freeze&);
 void find_tied_rows(const Tie&, const Particles&);                                     // tie.row
 VectorField find_work(const Particles&, const HexMesh&, const ToolAt&, const Retire&); // of retire.hpp
 void retire_particles(const Particles&, const VectorField& work, const ToolAt&,
-                      const Retire&); // before they rest; puts no row elsewhere
+                      const Retire&); // before they are frozen; puts no row elsewhere
 
 // --- conversion
 IndexField choose_hexes(const HexMesh&, const ConversionLimits&, const ToolPose&); // 1: is to convert

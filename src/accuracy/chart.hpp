@@ -16,7 +16,7 @@ struct ChartPoint {
   double courant = 0;
   bool bulk = true; // hexes behind the particles, tied; else these are fixed there
   ParticlesDeck particles;
-  double sleep_rows = 0;           // sleep.distance in spacings; 0: nothing slept
+  double sleep_rows = 0;           // sleep.distance in spacings; 0: nothing was frozen
   double run_in = 0, measured = 0; // cut before the mean and while it was taken, in uncut chips
   double error = 0, standard_error = 0;
   std::optional<double>

@@ -26,7 +26,7 @@ std::string describe_method(const ChartPoint& point, const Choice& choice, const
   for (const std::string& change : list_changes(usual, choice.deck))
     parts.push_back(change.substr(change.find("] ") + 2, change.find(", was") - change.find("] ") - 2));
   if (point.sleep_rows > 0)
-    parts.push_back(fmt::format("asleep beyond {:.3g} um", 1e6 * *choice.deck.sleep.distance));
+    parts.push_back(fmt::format("frozen beyond {:.3g} um", 1e6 * *choice.deck.sleep.distance));
   if (!point.bulk) parts.push_back("no hexes");
   if (choice.windows) parts.push_back("in windows");
   return fmt::format("{}", fmt::join(parts, ", "));

@@ -223,7 +223,7 @@ int check_deck(const std::string& file, const std::string& picture) {
   found.line("particles", "{} (+ {} tied, {} images)", scene.particles.whole, scene.tie.count,
              simulation.neighbors().images);
   if (deck.sleep.distance)
-    found.line("awake at the start", "{} (+ {} tied)", scene.particles.count, scene.particles.tied);
+    found.line("active at the start", "{} (+ {} tied)", scene.particles.count, scene.particles.tied);
   found.line("hexes", "{} ({} nodes)", scene.hexes.points.count, scene.hexes.nodes);
   if (scene.tool.heat.cells > 0)
     found.line("cells of heat in the tool", "{}, to {:.3g} um from where the bodies come",

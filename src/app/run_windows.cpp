@@ -231,7 +231,7 @@ class WindowsRun {
     if (const double scatter = scatter_between(immersion, force); !std::isnan(scatter))
       say("windows scatter by {:.3f} N about a sine: an error of each besides its own\n", scatter);
     say("{:.0f} core-seconds; the whole pass is predicted to take {}{:.0f}\nresults: {}\n", core_seconds,
-        whole.sleep.distance ? "at most, for more of it sleeps, " : "", predict_whole_pass(whole, results),
+        whole.sleep.distance ? "at most, for more of it freezes, " : "", predict_whole_pass(whole, results),
         folder.table().string());
     if (unfinished.empty()) return;
     complain("these windows are missing; run the same command again, with --resume to go on "

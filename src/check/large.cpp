@@ -93,7 +93,7 @@ SceneReport estimate_large(const Deck& deck) {
   if (heat > 0) line("steps of conduction in a step", fmt::format("about {:.0f}", heat));
   line("predicted run time",
        fmt::format("about {:.3g} s ({:.3g} h){}", steps * seconds, steps * seconds / 3600,
-                   deck.sleep.distance ? ", if nothing slept" : ""));
+                   deck.sleep.distance ? ", if nothing were frozen" : ""));
   double cells = 0;
   for (const BodyDeck& body : deck.bodies) cells += count_cells(deck, body);
   line("memory", fmt::format("about {:.3g} of {:.1f} GiB", cells * bytes_per_cell / (1 << 30),

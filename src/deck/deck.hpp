@@ -138,9 +138,9 @@ struct HexesDeck {
 };
 
 struct SleepDeck {
-  std::optional<double> distance; // m; not given: nothing sleeps
+  std::optional<double> distance; // m; not given: nothing freezes
   double ramp = 0.5;              // of the distance, where velocities are damped
-  double speed = 0.05;            // of the tool's, or of held faces: what is faster stays awake
+  double speed = 0.05;            // of the tool's, or of held faces: what is faster stays active
   bool operator==(const SleepDeck&) const = default;
 };
 

@@ -47,7 +47,7 @@ void check_retire(const Deck& deck, const toml::table& root, DeckReport& report)
   if (!deck.sleep.distance)
     report.add(
         place, "retire.distance",
-        "needs sleep.distance, by which the run looks at what is far. Give it (\"1 m\": all is awake)");
+        "needs sleep.distance, by which the run looks at what is far. Give it (\"1 m\": all is active)");
 }
 
 // Methods that conversion has no rule for: the key in its section, and what to write instead.

@@ -74,7 +74,7 @@ const Keys<SleepDeck>& sleep_keys() {
   using S = SleepDeck;
   static const Keys<S> keys = {
       {"distance", &S::distance, D::length, positive, optional, always,
-       "points farther than this from the active region are held, and sleep; not given: all points move"},
+       "points farther than this from the active region are held, and freeze; not given: all points move"},
       {"ramp", &S::ramp, D::none, Bounds{0, 1, true, true}, "0.5", always,
        "last part of the distance, over which velocities are damped so that waves do not come back"},
       {"speed", &S::speed, D::none, Bounds{0, 1, true, false}, "0.05", always,

@@ -28,7 +28,7 @@ struct FrameParticles {
 struct FrameHexes {
   std::vector<float> position, velocity; // of the nodes, 3 a row
   std::vector<int> connectivity;         // 8 a row, VTK order
-  std::vector<int> active;               // 0: deleted, 2: asleep
+  std::vector<int> active;               // 0: deleted, 2: frozen
   PointFields state;
 };
 

@@ -71,7 +71,7 @@ void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies) {
   }
 }
 
-void check_sleep(const Deck& deck, const Scene& scene) {
+void check_freeze(const Deck& deck, const Scene& scene) {
   const auto check = [&](const std::string& section, const std::optional<double>& distance, double least,
                          const char* measure, const char* without) {
     if (!distance || *distance >= least) return;
@@ -81,7 +81,7 @@ void check_sleep(const Deck& deck, const Scene& scene) {
         line_of(deck.file, "[" + section + "]", "distance"), section, 1e6 * least, measure, 1e6 * *distance,
         without));
   };
-  check("sleep", deck.sleep.distance, 2 * (scene.cutoff + scene.hex_diagonal), " and a hex", "sleeps");
+  check("sleep", deck.sleep.distance, 2 * (scene.cutoff + scene.hex_diagonal), " and a hex", "freezes");
   check("retire", deck.retire.distance, 2 * scene.cutoff, "", "leaves");
 }
 

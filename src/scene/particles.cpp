@@ -63,7 +63,7 @@ bool uses(const Deck& deck, Method method) {
     return set.pressure_diffusion > 0;
   case Method::with_shifting:
     return set.shifting && !initial;
-  case Method::with_sleep:
+  case Method::with_freeze:
     return bool(deck.sleep.distance);
   case Method::with_summation:
     return set.density == "summation";

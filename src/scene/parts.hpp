@@ -44,8 +44,8 @@ void share_masses(std::vector<double>& mass, const Faces& faces); // of periodic
 // Throws DeckError: a cell of one body lies in another body, by more than 5 % of a cell.
 void check_overlap(const Deck& deck, const std::vector<FilledBody>& bodies);
 
-// Throws DeckError: sleep begins where kernels of points at the active region still reach.
-void check_sleep(const Deck& deck, const Scene& scene);
+// Throws DeckError: freezing begins where kernels of points at the active region still reach.
+void check_freeze(const Deck& deck, const Scene& scene);
 
 // Throws DeckError: particles or nodes are in contact with the tool, by more than the round-off of scenes
 // that are placed to touch; their springs would give energy that nobody put in.

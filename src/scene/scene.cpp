@@ -251,7 +251,7 @@ Scene build_scene(const Deck& deck) {
       scene.spacing = b.points.spacing, scene.lattice = lattice_of(b);
 
   scene.hex_diagonal = largest_diagonal(bodies);
-  check_sleep(deck, scene);
+  check_freeze(deck, scene);
   const Faces faces = collect_faces(deck, bodies, scene.cutoff);
   const std::vector<TiedPoint> tied = tie_bodies(deck, bodies, scene.cutoff);
   scene.materials = make_materials(deck, bodies);

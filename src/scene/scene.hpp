@@ -44,7 +44,7 @@ struct Scene {
   std::shared_ptr<const ConversionLayout> layout;  // null: none has yet
 };
 
-// Rows of the particles, awake and asleep, without the tied ones.
+// Rows of the particles, active and frozen, without the tied ones.
 std::vector<int> particle_rows(const Particles& particles);
 
 // The patches of the tool's surface for work that comes until `end`: a restart may end later than the run

@@ -2,8 +2,8 @@
 #include "src/output/write_hdf5.hpp"
 #include "src/scene/convert_hexes.hpp"
 #include "src/simulation/simulation.hpp"
+#include "swarf/region/freeze.hpp"
 #include "swarf/region/retire.hpp"
-#include "swarf/region/sleep.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace swarf {
 namespace {
 
-// Sleeping rows keep what the others make again.
+// Frozen rows keep what the others make again.
 bool is_kept(Life life, const Deck& deck) {
   return life == Life::history || (life == Life::pair && deck.sleep.distance);
 }
@@ -92,8 +92,8 @@ void check_indices(const CheckpointReader& in, const Scene& scene, const Deck& d
 void Simulation::write_state(CheckpointWriter& out) const {
   const Particles& p = model.particles;
   const int rows = p.stored;
-  out.put("awake", p.count), out.put("awake_tied", p.tied), out.put("listed", p.listed);
-  out.put("rested_at", rested_at), out.put("rest_due", int(rest_due));
+  out.put("active", p.count), out.put("active_tied", p.tied), out.put("listed", p.listed);
+  out.put("frozen_at", frozen_at), out.put("freeze_due", int(freeze_due));
   for_each_field(p, [&](const std::string& name, const auto& field, auto facts) {
     if (is_kept(facts.life, deck)) out.put("particles/" + name, first_rows(field, rows));
   });
@@ -132,28 +132,28 @@ void Simulation::read_state(const CheckpointReader& in) {
     in.get(name, stored, std::min(field.extent(0), std::size_t(rows)));
     if (stored.extent(0) > 0) Kokkos::deep_copy(field, stored);
   };
-  int awake = 0, tied = 0, listed = 0;
-  in.get("awake", awake), in.get("awake_tied", tied), in.get("listed", listed);
+  int active = 0, tied = 0, listed = 0;
+  in.get("active", active), in.get("active_tied", tied), in.get("listed", listed);
   const int most = model.conversion ? std::numeric_limits<int>::max() / 2 : p.stored;
-  in.require(awake >= 0 && awake <= most, "awake"),
-      in.require(tied >= 0 && tied <= most - awake, "awake_tied");
-  in.require(listed >= awake + tied && listed <= most, "listed");
+  in.require(active >= 0 && active <= most, "active"),
+      in.require(tied >= 0 && tied <= most - active, "active_tied");
+  in.require(listed >= active + tied && listed <= most, "listed");
   if (model.conversion) { // its fields take other rows than at the start
     in.get("hexes/active", model.hexes.active, std::uint64_t(model.hexes.points.count));
     in.require(all_within(model.hexes.active, model.hexes.points.count, 0, 2), "hexes/active");
-    in.require(restore_conversion(deck, model, {awake, tied}), "hexes/active");
+    in.require(restore_conversion(deck, model, {active, tied}), "hexes/active");
     ensure_rows(loads.blocks, std::size_t(p.count / ToolLoadSums::block + 1));
     int due = 0;
     in.get("conversion_due", due), in.get("looked_at", looked_at);
     in.get("lost_in_conversion", lost_in_conversion);
     conversion_due = due != 0;
   }
-  p.count = awake, p.tied = tied, p.listed = listed, p.points.count = awake + tied;
+  p.count = active, p.tied = tied, p.listed = listed, p.points.count = active + tied;
   in.require(listed <= p.stored, "listed");
-  in.get("rested_at", rested_at);
-  int rests = 0;
-  in.get("rest_due", rests);
-  rest_due = rests != 0;
+  in.get("frozen_at", frozen_at);
+  int due = 0;
+  in.get("freeze_due", due);
+  freeze_due = due != 0;
   // The lists are made again from the positions at which they were made, so that every sum keeps its order.
   for_each_field(p, [&](const std::string& name, auto& field, auto facts) {
     if (is_kept(facts.life, deck)) read("particles/" + name, field, p.stored);
@@ -203,7 +203,7 @@ void Simulation::read_state(const CheckpointReader& in) {
   in.get("steps_at_sample", steps_at_sample), in.get("reference_step", contact_law.reference_step);
   check_numbers(in);
   first_step = steps;
-  int due = 0;
+  due = 0;
   in.get("lists_due", due);
   lists_due = due != 0;
   unsigned long long seen = no_fault; // of steps since the last check

@@ -45,7 +45,7 @@ void Simulation::convert() {
   const double before = energy_in_contact();
   take_contact_heat(); // while its nodes have a capacity
   convert_hexes(deck, model, chosen);
-  others_sleep = true;
+  others_frozen = true;
   lost_in_conversion += before - energy_in_contact();
   ensure_rows(loads.blocks, std::size_t(model.particles.count / ToolLoadSums::block + 1));
   lists_due = true;

@@ -50,9 +50,9 @@ void Simulation::step() {
   move();
   timer.mark("integrate");
   if (shift_is_due()) shift();
-  if (conversion_due || rest_due) take_contact_heat(), take_surface_sums();
+  if (conversion_due || freeze_due) take_contact_heat(), take_surface_sums();
   if (conversion_due) convert();
-  if (rest_due) rest();
+  if (freeze_due) freeze();
   if (lists_due) rebuild_lists();
   follow_hexes_and_images();
   update_rates_and_stresses();

@@ -57,7 +57,7 @@ class Simulation {
   double heat_dt() const { return heat_step; }              // s, stable step of conduction; 0 without
   double particle_steps() const {
     return moved_particles;
-  } // of this run: awake particles, summed over the steps
+  } // of this run: active particles, summed over the steps
   long rebuilds() const { return rebuild_count; }
   const std::string& limiter() const { return step_limiter; }
   std::string place_of_limiter() const;
@@ -84,12 +84,12 @@ class Simulation {
   void plan_conversion();
   double energy_in_contact();           // J, all there is, with the springs as the tool presses them now
   double step_of_new_particles() const; // s, about; infinite where no hex converts
-  Sleep sleep_of() const;
-  void rest();   // decides what sleeps
+  Freeze freeze_of() const;
+  void freeze(); // decides what is frozen
   void retire(); // and what leaves
-  void fall_asleep();
-  void plan_rest(double speed);
-  void fade_waves(); // where sleep begins
+  void freeze_at_start();
+  void plan_freeze(double speed);
+  void fade_waves(); // where freezing begins
   bool shifts() const {
     return deck.particles.shifting && model.particles.count > 0 && !particle_method.initial_frame;
   }
@@ -129,10 +129,10 @@ class Simulation {
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;
   PointSums of_particles, of_hexes; // at the last check()
-  PointSums of_asleep;              // of the particles: does not change until others sleep
-  bool others_sleep = true;
-  bool lists_due = false, rest_due = false;
-  double rested_at = 0;                        // s
+  PointSums of_frozen;              // of the particles: does not change until others freeze
+  bool others_frozen = true;
+  bool lists_due = false, freeze_due = false;
+  double frozen_at = 0;                        // s
   VectorField first_position;                  // of each particle's identity; 0 rows where nothing retires
   double shift_speed = 0, way_since_shift = 0; // m/s, of the tool, faces or bodies; m
   bool conversion_due = false;

@@ -123,21 +123,21 @@ void Simulation::start() {
   follow_hexes_and_images();
   update_rates_and_stresses();
   compute_forces();
-  // The penalty stays as it is when the step changes, and does not wait for points that come or wake.
+  // The penalty stays as it is when the step changes, and does not wait for points that come or thaw.
   const double first_dt = deck.run.courant * double(limit_step().dt);
   contact_law.reference_step = Real(std::min(first_dt, step_of_new_particles()));
-  if (deck.sleep.distance) fall_asleep();
+  if (deck.sleep.distance) freeze_at_start();
   steps = steps_at_sample = 0;
   check();
-  // Less what was given up by points that fell asleep at once.
+  // Less what was given up by points that were frozen at once.
   initial_energy =
       double(of_particles.kinetic) + of_hexes.kinetic - of_particles.external - of_hexes.external;
 }
 
-// What sleeps shows its neighbours what the forces have just prepared.
-void Simulation::fall_asleep() {
-  kick_half(); // over no time: driven faces take up their speed, and stay awake
-  rest();
+// What is frozen shows its neighbours what the forces have just prepared.
+void Simulation::freeze_at_start() {
+  kick_half(); // over no time: driven faces take up their speed, and stay active
+  freeze();
   rebuild_lists();
   follow_hexes_and_images();
   update_rates_and_stresses();
@@ -163,7 +163,7 @@ void Simulation::check() {
   if (deck.tool && !conducts) take_contact_heat(); // else conduct() does, before it moves on
   take_surface_sums();
   const StableStep limit = limit_step();
-  if (limit.limiter < 0) fail("every hex that is awake has failed, and no particle is");
+  if (limit.limiter < 0) fail("every hex that is active has failed, and no particle is");
   step_size = deck.run.courant * double(limit.dt);
   if (conducts)
     heat_step = double(std::min(stable_heat_step(model.particles, model.materials),
@@ -171,12 +171,12 @@ void Simulation::check() {
   const bool lists_age = model.particles.count > 0 && !particle_method.initial_frame;
   const double room = 0.5 * (double(lists.skin) - double(limit.approach)); // of each of a pair
   if (lists_age && room < 0) fail(Fault::skin_exceeded, "");
-  const int awake = model.particles.count + model.particles.tied;
-  if (others_sleep)
-    of_asleep = sum_particles(model.particles, Real(mass_factor), awake, model.particles.stored);
-  others_sleep = false;
-  of_particles = sum_particles(model.particles, Real(mass_factor), 0, awake);
-  of_particles.add(of_asleep);
+  const int active = model.particles.count + model.particles.tied;
+  if (others_frozen)
+    of_frozen = sum_particles(model.particles, Real(mass_factor), active, model.particles.stored);
+  others_frozen = false;
+  of_particles = sum_particles(model.particles, Real(mass_factor), 0, active);
+  of_particles.add(of_frozen);
   of_hexes = sum_hexes(model.hexes, Real(mass_factor));
   const double speed = double(std::max(of_particles.max_speed, of_hexes.max_speed));
   if (driving_speed == 0 && fastest_body(deck) == 0) shift_speed = speed;
@@ -190,7 +190,7 @@ void Simulation::check() {
   if (lists_age && reach * interval > 0.5 * whole) interval = std::max(1L, long(0.5 * whole / reach));
   lists_due = lists_age && room < reach * double(interval);
   next_check = steps + interval;
-  plan_rest(speed);
+  plan_freeze(speed);
   plan_conversion();
   timer.mark("checks");
 }

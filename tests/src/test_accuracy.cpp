@@ -153,7 +153,7 @@ TEST(Accuracy, leaves_a_depth_that_is_not_periodic) {
   EXPECT_EQ(with.output.force_scale, deck.output.force_scale);
 }
 
-TEST(Accuracy, lets_sleep_what_slept) {
+TEST(Accuracy, lets_freeze_what_froze) {
   std::string text = point("asleep", 16, 0.06);
   text.replace(text.find("sleep_rows = 0.0"), 16, "sleep_rows = 24.0");
   const auto charts = chart(text);

@@ -61,7 +61,7 @@ TEST(Mutations, of_checkpoints) {
   const Deck deck = read_deck(deck_file);
   std::vector<std::string> names = list_datasets(folder / "r/checkpoint.h5");
   for (const char* index :
-       {"awake", "awake_tied", "listed", "particles/identity", "particles/body", "particles/material",
+       {"active", "active_tied", "listed", "particles/identity", "particles/body", "particles/material",
         "particles/constraints", "hexes/active", "hexes/material", "steps", "next_check", "tool_load",
         "lists/build_position", "heat_step", "heat_time"})
     names.insert(names.end(), 4, index);

@@ -157,15 +157,15 @@ TEST(Restart, killed_while_the_tool_takes_heat) {
   expect_kills_and_threads_change_nothing(folder, deck, whole, 3);
 }
 
-TEST(Restart, killed_while_parts_sleep) {
+TEST(Restart, killed_while_parts_are_frozen) {
   const TemporaryFolder folder;
   Edits edits = longer_sector;
   edits.push_back({"[run]", "[sleep]\ndistance = \"32 um\"\nspeed = 1.0\n[run]"});
   const std::string deck = write_deck(folder, edit_small_deck(edits));
   const std::size_t whole = run_whole(deck, folder / "whole");
-  int awake = 0;
-  CheckpointReader(folder / "whole" / "checkpoint.h5").get("awake", awake);
-  EXPECT_LT(awake, 1200); // of 1440
+  int active = 0;
+  CheckpointReader(folder / "whole" / "checkpoint.h5").get("active", active);
+  EXPECT_LT(active, 1200); // of 1440
   expect_kills_and_threads_change_nothing(folder, deck, whole, 3);
 }
 

@@ -15,7 +15,7 @@ using testing::Not;
 
 namespace {
 
-const std::string all_awake = "[sleep]\ndistance = \"1 mm\"\nramp = 0.1\n",
+const std::string all_active = "[sleep]\ndistance = \"1 mm\"\nramp = 0.1\n",
                   retires = "[retire]\ndistance = \"14 um\"\n";
 constexpr int pieces = 18; // particles of the loose piece
 constexpr double v = 1.2;  // m/s, its speed
@@ -55,8 +55,8 @@ Outcome run(const TemporaryFolder& folder, const std::string& name, const std::s
 TEST(Retire, leaves_the_rest_as_it_was_and_takes_its_own_along) {
   const TemporaryFolder folder;
   const std::string method = "shifting = false\n";
-  const Outcome with = run(folder, "with", deck_with_chip(372, -v, all_awake, method)),
-                without = run(folder, "without", deck_with_chip(372, -v, all_awake + retires, method));
+  const Outcome with = run(folder, "with", deck_with_chip(372, -v, all_active, method)),
+                without = run(folder, "without", deck_with_chip(372, -v, all_active + retires, method));
   for (const char* column : {"external_work", "plastic_work", "max_temperature", "kinetic_energy"})
     EXPECT_NEAR(without.history.at(column).back() / with.history.at(column).back(), 1, 1e-6) << column;
   EXPECT_NEAR(without.history.at("energy_residual").back() / with.history.at("external_work").back(),
@@ -70,7 +70,7 @@ TEST(Retire, leaves_the_rest_as_it_was_and_takes_its_own_along) {
 
 TEST(Retire, says_how_many_came_back) {
   const TemporaryFolder folder;
-  const Outcome back = run(folder, "back", deck_with_chip(345, 1.6, all_awake + retires));
+  const Outcome back = run(folder, "back", deck_with_chip(345, 1.6, all_active + retires));
   EXPECT_GT(back.number("met_since"), 0);
   EXPECT_THAT(back.output, HasSubstr("particles that left came back to the tool or the work"));
 }
@@ -78,9 +78,9 @@ TEST(Retire, says_how_many_came_back) {
 // Where nothing is so far away, no bit changes.
 TEST(Retire, changes_nothing_where_nothing_leaves) {
   const TemporaryFolder folder;
-  const std::string off = write_deck(folder, deck_with_chip(372, -v, all_awake), "off.toml"),
+  const std::string off = write_deck(folder, deck_with_chip(372, -v, all_active), "off.toml"),
                     far = write_deck(folder,
-                                     deck_with_chip(372, -v, all_awake + "[retire]\ndistance = \"1 mm\"\n"),
+                                     deck_with_chip(372, -v, all_active + "[retire]\ndistance = \"1 mm\"\n"),
                                      "far.toml");
   for (const auto& deck : {off, far})
     EXPECT_EQ(run_program(run_arguments(deck, deck + "_results")).status, 0);

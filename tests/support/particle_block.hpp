@@ -17,7 +17,7 @@ inline void allocate(Particles& p, int rows) {
   for_each_field(p, [&](const char* name, auto& field, auto facts) {
     const Method method = facts.method;
     if (method == Method::always || method == Method::with_hourglass_stiffness ||
-        method == Method::with_sleep)
+        method == Method::with_freeze)
       field = std::decay_t<decltype(field)>(name, rows);
   });
 }

@@ -86,7 +86,7 @@ checkpoint_time = "1.5 us"
 
 using Edits = std::vector<std::pair<std::string, std::string>>;
 
-// A longer sector, so that there is something to sleep.
+// A longer sector, so that there is something to freeze.
 inline const Edits longer_sector = {{"start_angle = \"-1 deg\"\nend_angle = \"4 deg\"\ncells = [14,",
                                      "start_angle = \"-9 deg\"\nend_angle = \"4 deg\"\ncells = [36,"},
                                     {"start_angle = \"-1 deg\"\nend_angle = \"4 deg\"\ncells = [7,",

@@ -1,7 +1,7 @@
 // What the tables of fields (material.hpp, particles.hpp, hex_mesh.hpp) say of a field. A row is
 //   visit("name", field, Facts<named...>());
 // with facts of the kinds below in any order; of a kind that is not named, the first one holds. Allocation,
-// sorting, sleep, checkpoints, images, periodic wraps and conversion follow from the rows.
+// sorting, freezing, checkpoints, images, periodic wraps and conversion follow from the rows.
 #pragma once
 #include "swarf/core/transform.hpp"
 #include <type_traits>
@@ -20,7 +20,7 @@ enum class Frame {
 
 enum class Life {
   derived, // made again by the step, or by the scene: only allocated
-  pair,    // made again for rows that are awake, read from their neighbours: sleeping rows keep it
+  pair,    // made again for rows that are active, read from their neighbours: frozen rows keep it
   history, // of the row for good: goes where it goes, and into checkpoints
 };
 
@@ -46,7 +46,7 @@ enum class Method {
   with_initial_frame,
   with_pressure_diffusion,
   with_shifting,
-  with_sleep,
+  with_freeze,
   with_summation,
   with_surface_gradient,
   with_thermal_stress,

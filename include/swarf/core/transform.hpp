@@ -1,6 +1,6 @@
 // Rigid maps of periodic and mirror images, and the velocity constraints of faces.
 #pragma once
-#include "swarf/region/sleep.hpp"
+#include "swarf/region/freeze.hpp"
 
 namespace swarf {
 

@@ -19,7 +19,7 @@ struct HexMesh {
   View<Real* [4][3]> hourglass;    // generalised hourglass force of the stiffness control, N
   ScalarField hourglass_work;      // J
   ScalarField viscous_work;        // J, bulk viscosity
-  View<int*> active;               // hex_deleted, hex_active or hex_asleep (sleep.hpp)
+  View<int*> active;               // hex_deleted, hex_active or hex_frozen (freeze.hpp)
 
   VectorField position, velocity, force;     // nodes
   ScalarField mass;                          // lumped, kg, not mass-scaled
@@ -39,7 +39,7 @@ struct HexMesh {
   ScalarField contact_gap;            // m, 0: the node lies on the surface
   ScalarField contact_area;           // m2, share of the surface; 0 for nodes inside: no contact
   View<unsigned*> constraints;        // bit b: row b of the ConstraintTable
-  ScalarField damping;                // 1/s, where sleep begins; 0 rows without it
+  ScalarField damping;                // 1/s, where freezing begins; 0 rows without it
 
   // Gather: corners of node a are corner_of_node[corner_start[a] .. corner_start[a+1]), each 8 * hex +
   // corner.
@@ -86,7 +86,7 @@ struct HexMesh {
     visit("contact_gap", m.contact_gap, Facts<per_node>());
     visit("contact_area", m.contact_area, Facts<per_node>());
     visit("constraints", m.constraints, Facts<per_node, history>());
-    visit("damping", m.damping, Facts<per_node, history, with_sleep>());
+    visit("damping", m.damping, Facts<per_node, history, with_freeze>());
   }
 };
 

@@ -7,8 +7,8 @@ namespace swarf {
 
 // Rows of every field:  [0, count)              particles
 //                       [count, count + tied)   tied particles: they live inside hexes and move with them
-//                       [count + tied, listed)  asleep, of both kinds (sleep.hpp): neighbours only
-//                       [listed, stored)        asleep, far from all that moves: in no list
+//                       [count + tied, listed)  frozen, of both kinds (freeze.hpp): neighbours only
+//                       [listed, stored)        frozen, far from all that moves: in no list
 //                       [stored, total)         images of the rows before, across periodic and mirror planes
 // Only rows [0, count) are integrated in time. Sorted in space at every neighbour rebuild.
 struct Particles {
@@ -17,7 +17,7 @@ struct Particles {
   int tied = 0;
   int listed = 0, stored = 0;
   int total = 0;
-  int whole = 0; // particles awake and asleep: those whose identity is less; the others are tied
+  int whole = 0; // particles active and frozen: those whose identity is less; the others are tied
 
   VectorField position;        // m
   VectorField velocity;        // m/s
@@ -42,7 +42,7 @@ struct Particles {
   TensorField surface_term; // what they add to L, 1/s (or F, dF/dt); then, to the stress in the forces, Pa
 
   ScalarField heat;    // J that conduction brought last, rows [0, count + tied); 0 rows without it
-  ScalarField damping; // 1/s, where sleep begins (sleep.hpp), rows [0, count); 0 rows without it
+  ScalarField damping; // 1/s, where freezing begins (freeze.hpp), rows [0, count); 0 rows without it
 
   // History that belongs to the particle.
   VectorField hourglass_rate;         // m/s, of hourglass_displacement
@@ -99,7 +99,7 @@ struct Particles {
     visit("deformation_gradient", p.deformation_gradient,
           Facts<tensor, in_surface_gradient, in_surface_stress, before_forces, with_initial_frame>());
     visit("heat", p.heat, Facts<with_conduction>());
-    visit("damping", p.damping, Facts<history, with_sleep>());
+    visit("damping", p.damping, Facts<history, with_freeze>());
     visit("surface_normal", p.surface_normal, Facts<vector, history, in_find_shifts, with_shifting>());
     visit("shifted_strain", p.shifted_strain, Facts<history, with_shifting>());
     visit("shifting_work", p.shifting_work, Facts<history, with_shifting>());

@@ -1,6 +1,6 @@
 // Spent chip: particles that are farther than `distance` from where they began, from all that the tool comes
 // near to, and from the work, which is all that has moved less. They leave for good: no forces, in no list,
-// never to wake. They keep their state and fly on in a straight line, so that their mass, momentum and energy
+// never to thaw. They keep their state and fly on in a straight line, so that their mass, momentum and energy
 // stay in the sums. Speed would not tell chip from work: waves move the work as fast.
 #pragma once
 #include "swarf/core/tensor.hpp"

@@ -1,5 +1,5 @@
-// Puts to sleep, holds, or wakes each particle by its distance d from the active region (sleep.hpp), and
-// orders the rows: awake particles, awake tied ones, sleeping ones that a list may hold, those far from all
+// Freezes, holds, or thaws each particle by its distance d from the active region (freeze.hpp), and
+// orders the rows: active particles, active tied ones, frozen ones that a list may hold, those far from all
 // and those that have retired. What stops gives its kinetic energy to external_work, as at a fixed face.
 // Writes constraints, damping and the counts.
 #include "append_points.hpp"
@@ -9,7 +9,7 @@
 namespace swarf {
 namespace {
 
-enum Rank : int { awake, awake_tied, listed, far, ranks };
+enum Rank : int { active, active_tied, listed, far, ranks };
 constexpr int rank_shift = 40; // of a key; below it the place within the rank
 
 struct RankStarts {
@@ -22,7 +22,7 @@ SWARF_FN void stop_particle(const Particles& p, int i, Real mass_factor) {
   store_vector(p.velocity, i, {0, 0, 0});
 }
 
-// A sleeping row shows its neighbours no motion, and is an insulator to them.
+// A frozen row shows its neighbours no motion, and is an insulator to them.
 SWARF_FN void still(const Particles& p, int i) {
   store_tensor(p.points.velocity_gradient, i, Tensor3{});
   store_vector(p.velocity, i, {0, 0, 0});
@@ -32,11 +32,11 @@ SWARF_FN void still(const Particles& p, int i) {
   p.points.plastic_strain_rate(i) = 0;
 }
 
-ScalarField distances(const Particles& p, const VectorField& region, const Sleep& s) {
-  const ScalarField d(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_distance"), p.stored);
+ScalarField distances(const Particles& p, const VectorField& region, const Freeze& s) {
+  const ScalarField d(Kokkos::view_alloc(Kokkos::WithoutInitializing, "freeze_distance"), p.stored);
   const RegionCells cells = group_cells(region, s);
   Kokkos::parallel_for(
-      "rest_distance", Range(0, p.stored),
+      "freeze_distance", Range(0, p.stored),
       KOKKOS_LAMBDA(int i) { d(i) = distance_to(cells, load_vector(p.position, i)); });
   return d;
 }
@@ -45,13 +45,13 @@ ScalarField distances(const Particles& p, const VectorField& region, const Sleep
 struct IsCarried {
   Particles p;
   ScalarField d;
-  Sleep s;
+  Freeze s;
   SWARF_FN bool operator()(int i) const {
     return p.identity(i) >= p.whole && d(i) > s.distance && d(i) <= s.distance + s.margin - s.reach;
   }
 };
 
-PointGrid find_carried(const Particles& p, const ScalarField& d, const Sleep& s) {
+PointGrid find_carried(const Particles& p, const ScalarField& d, const Freeze& s) {
   VectorField found("carried", 0);
   const int rows = append_points(p.position, p.stored, IsCarried{p, d, s}, found, 0);
   Kokkos::resize(found, rows);
@@ -59,44 +59,44 @@ PointGrid find_carried(const Particles& p, const ScalarField& d, const Sleep& s)
 }
 
 // The rank that each row takes, and its place within: particles keep their order, so that nothing changes
-// where nothing sleeps; tied ones have theirs.
-View<CellKey*> rank_rows(const Particles& p, const VectorField& region, const Sleep& s) {
-  const View<CellKey*> key(Kokkos::view_alloc(Kokkos::WithoutInitializing, "rest_key"), p.stored);
+// where nothing is frozen; tied ones have theirs.
+View<CellKey*> rank_rows(const Particles& p, const VectorField& region, const Freeze& s) {
+  const View<CellKey*> key(Kokkos::view_alloc(Kokkos::WithoutInitializing, "freeze_key"), p.stored);
   const ScalarField distance = distances(p, region, s);
   const PointGrid carried = find_carried(p, distance, s);
   Kokkos::parallel_for(
-      "rest_particles", Range(0, p.stored), KOKKOS_LAMBDA(int i) {
+      "freeze_particles", Range(0, p.stored), KOKKOS_LAMBDA(int i) {
         key(i) = (CellKey(far) << rank_shift) | CellKey(i);
         if (p.constraints(i) & retired_bit) return;
         const Real d = distance(i);
         const bool tied = p.identity(i) >= p.whole, moves = d <= s.distance;
-        const bool is_awake =
+        const bool is_active =
             d <= s.distance + s.reach ||
             (d <= s.distance + s.margin && (tied || carried.any_within(load_vector(p.position, i), s.reach)));
         p.damping(i) = damping_at(s, d);
         p.constraints(i) = (p.constraints(i) & ~held_bit) | (moves || tied ? 0u : held_bit);
         if (!moves && !tied) stop_particle(p, i, s.mass_factor);
-        if (!is_awake) still(p, i);
+        if (!is_active) still(p, i);
         const Rank rank =
-            is_awake ? (tied ? awake_tied : awake) : (d <= s.distance + s.margin + s.reach ? listed : far);
+            is_active ? (tied ? active_tied : active) : (d <= s.distance + s.margin + s.reach ? listed : far);
         key(i) = (CellKey(rank) << rank_shift) | CellKey(tied ? p.identity(i) : i);
       });
   return key;
 }
 
-// Rows that are not among those of their rank change places with one another, and all awake tied ones are put
-// in order; the others stay, so that a look costs what changes, not what sleeps.
+// Rows that are not among those of their rank change places with one another, and all active tied ones are
+// put in order; the others stay, so that a look costs what changes, not what is frozen.
 Moves moves_between(const View<CellKey*>& key, const RankStarts& starts) {
   const int rows = int(key.extent(0));
-  const IndexField place("rest_place", rows);
+  const IndexField place("freeze_place", rows);
   Kokkos::parallel_for(
       "leave_rank", Range(0, rows), KOKKOS_LAMBDA(int i) {
         const int rank = int(key(i) >> rank_shift);
-        place(i) = rank == awake_tied || i < starts.first[rank] || i >= starts.first[rank + 1] ? 1 : 0;
+        place(i) = rank == active_tied || i < starts.first[rank] || i >= starts.first[rank + 1] ? 1 : 0;
       });
   const int count = number_taken(place);
-  const Moves moves{IndexField("rest_to", count), IndexField("rest_from", count)};
-  const KeyedRows order("rest_order", count);
+  const Moves moves{IndexField("freeze_to", count), IndexField("freeze_from", count)};
+  const KeyedRows order("freeze_order", count);
   Kokkos::parallel_for(
       "leave_rank", Range(0, rows), KOKKOS_LAMBDA(int i) {
         if (place(i) >= 0) moves.to(place(i)) = i, order(place(i)) = {key(i), i};
@@ -118,20 +118,20 @@ int rows_before(const View<CellKey*>& key, Rank rank) {
 
 } // namespace
 
-void rest_particles(Particles& p, const Tie& tie, const VectorField& region, const Sleep& s) {
+void freeze_particles(Particles& p, const Tie& tie, const VectorField& region, const Freeze& s) {
   const View<CellKey*> key = rank_rows(p, region, s);
   const RankStarts starts{
-      {0, rows_before(key, awake_tied), rows_before(key, listed), rows_before(key, far), p.stored}};
+      {0, rows_before(key, active_tied), rows_before(key, listed), rows_before(key, far), p.stored}};
   const Moves moves = moves_between(key, starts);
   const PermuteScratch scratch(moves);
   for_each_field(p, [&](const char*, const auto& field, auto facts) {
     if (facts.life != Life::derived) permute(field, moves, scratch);
   });
-  p.count = starts.first[awake_tied];
+  p.count = starts.first[active_tied];
   p.tied = starts.first[listed] - p.count;
   p.listed = starts.first[far];
   p.points.count = p.count + p.tied;
-  if (p.heat.extent(0) > 0) Kokkos::deep_copy(p.heat, Real(0)); // of the rows that were awake
+  if (p.heat.extent(0) > 0) Kokkos::deep_copy(p.heat, Real(0)); // of the rows that were active
   find_tied_rows(tie, p);
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr Real dx = 1e-6;
 
-Sleep sleep_for(const test::ParticleBlock& b, Real distance) {
-  Sleep s;
+Freeze freeze_for(const test::ParticleBlock& b, Real distance) {
+  Freeze s;
   s.distance = distance, s.ramp = distance / 2, s.damping = 1e6;
   s.margin = s.reach = b.neighbors.cutoff;
   return s;
@@ -38,11 +38,11 @@ Real energy(const Particles& p, Real mass_factor) {
   return s.kinetic - s.external;
 }
 
-TEST(RestParticles, what_moves_feels_only_what_is_awake_and_what_is_awake_only_what_is_listed) {
+TEST(FreezeParticles, what_moves_feels_only_what_is_active_and_what_is_active_only_what_is_listed) {
   test::ParticleBlock b = moving_row();
   Particles& p = b.particles;
-  const Sleep s = sleep_for(b, 10 * dx);
-  rest_particles(p, Tie{}, region_at({0, 2 * dx, 2 * dx}), s);
+  const Freeze s = freeze_for(b, 10 * dx);
+  freeze_particles(p, Tie{}, region_at({0, 2 * dx, 2 * dx}), s);
   ASSERT_LT(p.count, p.listed);
   ASSERT_LT(p.listed, p.stored);
   EXPECT_EQ(p.stored, 640);
@@ -70,16 +70,16 @@ TEST(RestParticles, what_moves_feels_only_what_is_awake_and_what_is_awake_only_w
 }
 
 // 600 cells: more than the 16 by 16 that one box of boxes holds.
-TEST(RestParticles, finds_the_nearest_of_many_cells_of_the_action) {
+TEST(FreezeParticles, finds_the_nearest_of_many_cells_of_the_active_region) {
   test::ParticleBlock b = moving_row();
-  const Sleep s = sleep_for(b, Real(2.2) * dx);
+  const Freeze s = freeze_for(b, Real(2.2) * dx);
   std::vector<Vector3> cells;
   for (int k = 0; k < 600; ++k) cells.push_back({(k % 24) * dx, -(k * 7 % 13) * dx, (k * 5 % 11) * dx});
   const VectorField region("active_region", cells.size());
   const auto host = Kokkos::create_mirror_view(region);
   for (int k = 0; k < 600; ++k) store_vector(host, k, cells[std::size_t(k)]);
   Kokkos::deep_copy(region, host);
-  rest_particles(b.particles, Tie{}, region, s);
+  freeze_particles(b.particles, Tie{}, region, s);
   const auto x = host_copy(b.particles.position);
   const auto bits = host_copy(b.particles.constraints);
   int held = 0;
@@ -95,11 +95,11 @@ TEST(RestParticles, finds_the_nearest_of_many_cells_of_the_action) {
   EXPECT_LT(held, 600);
 }
 
-// Beyond distance + reach only what is tied is awake, and what is near to what a hex moves.
-TEST(RestParticles, a_hex_wakes_no_more_than_what_is_near_to_what_it_moves) {
+// Beyond distance + reach only what is tied is active, and what is near to what a hex moves.
+TEST(FreezeParticles, a_hex_thaws_no_more_than_what_is_near_to_what_it_moves) {
   test::ParticleBlock b = test::particle_block(40, 14, 3, dx);
   Particles& p = b.particles;
-  Sleep s = sleep_for(b, 10 * dx);
+  Freeze s = freeze_for(b, 10 * dx);
   const Real hex = 6 * dx, tied_from = 11 * dx;
   s.margin = s.reach + hex;
   std::vector<Vector3> x;
@@ -118,7 +118,7 @@ TEST(RestParticles, a_hex_wakes_no_more_than_what_is_near_to_what_it_moves) {
   Tie tie;
   tie.count = int(tied.size()), tie.row = IndexField("row", tied.size());
   const Vector3 region{0, 2 * dx, dx};
-  rest_particles(p, tie, region_at(region), s);
+  freeze_particles(p, tie, region_at(region), s);
 
   const auto expected = [&](const Vector3& at) {
     const Real d = norm(at - region);
@@ -129,44 +129,44 @@ TEST(RestParticles, a_hex_wakes_no_more_than_what_is_near_to_what_it_moves) {
     return near && d <= s.distance + s.margin;
   };
   const auto now = host_copy(p.position);
-  int asleep_in_margin = 0, woken = 0;
+  int frozen_in_margin = 0, thawed = 0;
   for (int i = 0; i < p.stored; ++i) {
     const Vector3 at = load_vector(now, i);
     EXPECT_EQ(i < p.count + p.tied, expected(at)) << i;
     if (at.y > tied_from || norm(at - region) <= s.distance + s.reach) continue;
-    woken += expected(at), asleep_in_margin += !expected(at) && norm(at - region) <= s.distance + s.margin;
+    thawed += expected(at), frozen_in_margin += !expected(at) && norm(at - region) <= s.distance + s.margin;
   }
-  EXPECT_GT(woken, 10);
-  EXPECT_GT(asleep_in_margin, 50);
+  EXPECT_GT(thawed, 10);
+  EXPECT_GT(frozen_in_margin, 50);
 }
 
-TEST(RestParticles, a_row_of_what_sleeps_on_is_left_where_it_is) {
+TEST(FreezeParticles, a_row_that_stays_frozen_is_left_where_it_is) {
   test::ParticleBlock b = moving_row();
   Particles& p = b.particles;
-  const Sleep s = sleep_for(b, 10 * dx);
-  rest_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), s);
+  const Freeze s = freeze_for(b, 10 * dx);
+  freeze_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), s);
   std::vector<int> before;
   for (int i = 0; i < p.stored; ++i) before.push_back(host_copy(p.identity)(i));
   const int far = p.stored - p.listed;
-  rest_particles(p, Tie{}, region_at({37 * dx, 2 * dx, 2 * dx}), s);
+  freeze_particles(p, Tie{}, region_at({37 * dx, 2 * dx, 2 * dx}), s);
   int moved = 0;
   for (int i = 0; i < p.stored; ++i) moved += before[std::size_t(i)] != host_copy(p.identity)(i);
   EXPECT_LT(moved, far / 2);
   EXPECT_GT(moved, 0);
 }
 
-TEST(RestParticles, the_energy_of_what_stops_leaves_by_external_work) {
+TEST(FreezeParticles, the_energy_of_what_stops_leaves_by_external_work) {
   test::ParticleBlock b = moving_row();
   const Real factor = 100, before = energy(b.particles, factor);
-  Sleep s = sleep_for(b, 10 * dx);
+  Freeze s = freeze_for(b, 10 * dx);
   s.mass_factor = factor;
-  rest_particles(b.particles, Tie{}, region_at({0, 2 * dx, 2 * dx}), s);
+  freeze_particles(b.particles, Tie{}, region_at({0, 2 * dx, 2 * dx}), s);
   const PointSums after = sum_particles(b.particles, factor);
   EXPECT_LT(after.kinetic, Real(0.4) * before);
   EXPECT_NEAR(after.kinetic - after.external, before, test::round_off * before);
 }
 
-TEST(RestParticles, sleep_and_waking_keep_the_state_of_every_particle) {
+TEST(FreezeParticles, freezing_and_thawing_keep_the_state_of_every_particle) {
   test::ParticleBlock b = moving_row();
   Particles& p = b.particles;
   const auto temperature = host_copy(p.points.temperature);
@@ -174,9 +174,9 @@ TEST(RestParticles, sleep_and_waking_keep_the_state_of_every_particle) {
   Kokkos::deep_copy(p.points.temperature, temperature);
   std::vector<Vector3> x;
   for (int i = 0; i < p.count; ++i) x.push_back(load_vector(host_copy(p.position), i));
-  rest_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), sleep_for(b, 10 * dx));
+  freeze_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), freeze_for(b, 10 * dx));
   EXPECT_LT(p.count, 400);
-  rest_particles(p, Tie{}, VectorField("none", 0), sleep_for(b, 10 * dx));
+  freeze_particles(p, Tie{}, VectorField("none", 0), freeze_for(b, 10 * dx));
   EXPECT_EQ(p.count, 640);
   EXPECT_EQ(p.listed, 640);
   const auto identity = host_copy(p.identity);
@@ -190,10 +190,10 @@ TEST(RestParticles, sleep_and_waking_keep_the_state_of_every_particle) {
   }
 }
 
-TEST(RestParticles, damping_rises_with_the_square_of_the_depth_in_the_ramp) {
+TEST(FreezeParticles, damping_rises_with_the_square_of_the_depth_in_the_ramp) {
   test::ParticleBlock b = moving_row();
-  const Sleep s = sleep_for(b, 20 * dx);
-  rest_particles(b.particles, Tie{}, region_at({0, 0, 0}), s);
+  const Freeze s = freeze_for(b, 20 * dx);
+  freeze_particles(b.particles, Tie{}, region_at({0, 0, 0}), s);
   const auto x = host_copy(b.particles.position);
   const auto damping = host_copy(b.particles.damping);
   for (int i = 0; i < b.particles.count; ++i) {
@@ -202,8 +202,8 @@ TEST(RestParticles, damping_rises_with_the_square_of_the_depth_in_the_ramp) {
   }
 }
 
-// What a neighbour reads of a particle goes with it, though the lists are made anew before it falls asleep.
-TEST(RestParticles, pair_fields_stay_with_their_particles) {
+// What a neighbour reads of a particle goes with it, though the lists are made anew before it is frozen.
+TEST(FreezeParticles, pair_fields_stay_with_their_particles) {
   test::ParticleBlock b = moving_row();
   Particles& p = b.particles;
   p.pressure_state = View<Real* [4]>("pressure_state", p.count);
@@ -214,14 +214,14 @@ TEST(RestParticles, pair_fields_stay_with_their_particles) {
   for (int i = 0; i < p.count; ++i) pressure(i, 0) = 2 * i, heat(i, 0) = 300 + i, heat(i, 1) = 7;
   Kokkos::deep_copy(p.pressure_state, pressure), Kokkos::deep_copy(p.heat_state, heat);
   test::build_lists(b);
-  rest_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), sleep_for(b, 10 * dx));
+  freeze_particles(p, Tie{}, region_at({39 * dx, 2 * dx, 2 * dx}), freeze_for(b, 10 * dx));
   const auto identity = host_copy(p.identity);
   const auto p_after = host_copy(p.pressure_state);
   const auto h_after = host_copy(p.heat_state);
   for (int i = 0; i < p.stored; ++i) {
     EXPECT_EQ(p_after(i, 0), 2 * identity(i));
     EXPECT_EQ(h_after(i, 0), 300 + identity(i));
-    EXPECT_EQ(h_after(i, 1), i < p.count ? 7 : 0); // what sleeps insulates
+    EXPECT_EQ(h_after(i, 1), i < p.count ? 7 : 0); // what is frozen insulates
   }
 }
 

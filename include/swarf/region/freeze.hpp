@@ -1,5 +1,5 @@
-// Points far from the active region sleep: they keep their state and take no part in the step. They insulate
-// against heat; diffuse_pressure sees them as they fell asleep.
+// Points far from the active region are frozen: they keep their state and take no part in the step. They
+// insulate against heat; diffuse_pressure sees them as they were frozen.
 #pragma once
 #include "swarf/core/tensor.hpp"
 
@@ -13,8 +13,8 @@ namespace swarf {
 //                                     motion of its neighbours, so that the energy of the rest closes as if
 //                                     it were a fixed face. Farther out than distance + reach that is only
 //                                     what is tied, which a hex may move, and what is near to that
-//   beyond                            sleeps; up to `reach` further it is still a neighbour of what is held
-struct Sleep {
+//   beyond                            frozen; up to `reach` further it is still a neighbour of what is held
+struct Freeze {
   Real distance = 0, reach = 0; // a kernel's support
   Real margin = 0;              // reach, and the length of a hex
   Real ramp = 0;
@@ -33,10 +33,10 @@ inline constexpr unsigned held_bit = 1u << 31;
 inline constexpr unsigned follows_bit = 1u << 28;
 
 // Values of HexMesh::active.
-inline constexpr int hex_deleted = 0, hex_active = 1, hex_asleep = 2;
+inline constexpr int hex_deleted = 0, hex_active = 1, hex_frozen = 2;
 
 // Quadratic in the depth into the ramp: a wave meets no step in it.
-SWARF_FN Real damping_at(const Sleep& s, Real d) {
+SWARF_FN Real damping_at(const Freeze& s, Real d) {
   const Real depth = (d - (s.distance - s.ramp)) / s.ramp;
   return depth > 0 ? s.damping * depth * depth : Real(0);
 }

@@ -1,4 +1,4 @@
-// Holds the nodes that are farther from the active region than sleep.distance (sleep.hpp), and puts to sleep
+// Holds the nodes that are farther from the active region than sleep.distance (freeze.hpp), and freezes
 // the hexes whose nodes are all held. Nodes of a periodic pair are held together. What stops gives its
 // kinetic energy to external_work. Reads positions, connectivity, coupled_nodes; writes constraints, damping,
 // active.
@@ -7,7 +7,7 @@
 namespace swarf {
 namespace {
 
-void hold_nodes(const HexMesh& m, const VectorField& region, const Sleep& s) {
+void hold_nodes(const HexMesh& m, const VectorField& region, const Freeze& s) {
   const RegionCells cells = group_cells(region, s);
   Kokkos::parallel_for(
       "hold_nodes", Range(0, m.nodes), KOKKOS_LAMBDA(int a) {
@@ -43,13 +43,13 @@ void stop_held(const HexMesh& m, Real mass_factor) {
       });
 }
 
-void rest(const HexMesh& m) {
+void freeze(const HexMesh& m) {
   Kokkos::parallel_for(
-      "rest_hexes", Range(0, m.points.count), KOKKOS_LAMBDA(int e) {
+      "freeze_hexes", Range(0, m.points.count), KOKKOS_LAMBDA(int e) {
         if (m.active(e) == hex_deleted) return;
         bool moves = false;
         for (int a = 0; a < 8; ++a) moves |= !(m.constraints(m.connectivity(e, a)) & held_bit);
-        m.active(e) = moves ? hex_active : hex_asleep;
+        m.active(e) = moves ? hex_active : hex_frozen;
         if (moves) return;
         store_tensor(m.points.velocity_gradient, e, Tensor3{});
         m.points.plastic_strain_rate(e) = 0;
@@ -58,12 +58,12 @@ void rest(const HexMesh& m) {
 
 } // namespace
 
-void rest_hexes(const HexMesh& m, const TransformTable& transforms, const VectorField& region,
-                const Sleep& s) {
+void freeze_hexes(const HexMesh& m, const TransformTable& transforms, const VectorField& region,
+                  const Freeze& s) {
   hold_nodes(m, region, s);
   free_pairs(m, int(transforms.extent(0)));
   stop_held(m, s.mass_factor);
-  rest(m);
+  freeze(m);
 }
 
 } // namespace swarf

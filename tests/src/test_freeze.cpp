@@ -1,4 +1,4 @@
-// Sleep in a whole run: what it leaves unchanged, what comes back of a wave, and that energy closes.
+// Freezing in a whole run: what it leaves unchanged, what comes back of a wave, and that energy closes.
 #include "src/files/results.hpp"
 #include "src/output/history.hpp"
 #include "src/output/write_hdf5.hpp"
@@ -66,18 +66,18 @@ double reflected_share(const Deck& deck) {
 
 } // namespace
 
-TEST(Sleep, sends_back_less_than_2_percent_of_a_wave_of_half_a_ramp_in_hexes) {
+TEST(Freeze, sends_back_less_than_2_percent_of_a_wave_of_half_a_ramp_in_hexes) {
   EXPECT_LT(reflected_share(make_bar("hexes", 1)), 0.02);
 }
 
-TEST(Sleep, sends_back_less_than_2_percent_of_a_wave_of_half_a_ramp_in_particles) {
+TEST(Freeze, sends_back_less_than_2_percent_of_a_wave_of_half_a_ramp_in_particles) {
   EXPECT_LT(reflected_share(make_bar("particles", 4)), 0.02);
 }
 
 namespace {
 
 // Of a plate, periodic in both directions, over which a small wall slides. No node on the face of a cell.
-int count_awake(const std::string& fill, const Triple& wall_position) {
+int count_active(const std::string& fill, const Triple& wall_position) {
   Deck deck = fill == "hexes" ? undamped() : shipped_defaults();
   deck.materials = {elastic_material(4430, 110e9, 0.33)};
   deck.bodies = {block("plate", fill, {0.25 * mm, 0.25 * mm, 0}, {60 * mm, 60 * mm, 5 * mm}, mm)};
@@ -99,12 +99,12 @@ int count_awake(const std::string& fill, const Triple& wall_position) {
 } // namespace
 
 // Across a corner too, where the image of an image lies.
-TEST(Sleep, is_as_near_to_the_active_region_across_periodic_faces) {
+TEST(Freeze, is_as_near_to_the_active_region_across_periodic_faces) {
   for (const char* fill : {"particles", "hexes"}) {
-    const int in_the_middle = count_awake(fill, {30.75 * mm, 30.75 * mm, 5.2 * mm});
+    const int in_the_middle = count_active(fill, {30.75 * mm, 30.75 * mm, 5.2 * mm});
     EXPECT_GT(in_the_middle, 2000) << fill;
     EXPECT_LT(in_the_middle, 10000) << fill;
-    EXPECT_EQ(count_awake(fill, {2.75 * mm, 2.75 * mm, 5.2 * mm}), in_the_middle) << fill;
+    EXPECT_EQ(count_active(fill, {2.75 * mm, 2.75 * mm, 5.2 * mm}), in_the_middle) << fill;
   }
 }
 
@@ -120,27 +120,27 @@ HistoryTable run_history(const TemporaryFolder& folder, const std::string& name,
 } // namespace
 
 // A distance beyond the scene: only the order of sums differs, by the lists that are made more often.
-TEST(Sleep, changes_nothing_where_all_is_awake) {
+TEST(Freeze, changes_nothing_where_all_is_active) {
   const TemporaryFolder folder;
   const HistoryTable plain = run_history(folder, "plain", {}),
-                     awake = run_history(folder, "awake",
-                                         {{"[run]", "[sleep]\ndistance = \"1 mm\"\nramp = 0.1\n[run]"}});
+                     active = run_history(folder, "active",
+                                          {{"[run]", "[sleep]\ndistance = \"1 mm\"\nramp = 0.1\n[run]"}});
   for (const char* column : {"time", "external_work", "plastic_work", "max_temperature"})
-    EXPECT_NEAR(awake.at(column).back() / plain.at(column).back(), 1, 1e-6) << column;
+    EXPECT_NEAR(active.at(column).back() / plain.at(column).back(), 1, 1e-6) << column;
 }
 
 // What stops, fades or is held gives its energy to the external work.
-TEST(Sleep, closes_the_energy) {
+TEST(Freeze, closes_the_energy) {
   const TemporaryFolder folder;
   Edits edits = longer_sector;
   edits.push_back({"[run]", "[sleep]\ndistance = \"32 um\"\nspeed = 1.0\n[run]"});
-  const HistoryTable asleep = run_history(folder, "asleep", edits);
-  int awake = 0;
-  CheckpointReader(folder / "asleep" / "checkpoint.h5").get("awake", awake);
-  EXPECT_LT(awake, 1200); // of 1440
+  const HistoryTable frozen = run_history(folder, "frozen", edits);
+  int active = 0;
+  CheckpointReader(folder / "frozen" / "checkpoint.h5").get("active", active);
+  EXPECT_LT(active, 1200); // of 1440
   const HistoryTable plain = run_history(folder, "plain", longer_sector);
-  const double external = asleep.at("external_work").back();
+  const double external = frozen.at("external_work").back();
   EXPECT_GT(external, 0);
-  EXPECT_NEAR(asleep.at("energy_residual").back() / external,
+  EXPECT_NEAR(frozen.at("energy_residual").back() / external,
               plain.at("energy_residual").back() / plain.at("external_work").back(), 2e-3);
 }

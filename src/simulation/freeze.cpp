@@ -1,4 +1,4 @@
-// What of the model sleeps, and when that is looked at again.
+// What of the model is frozen, and when that is looked at again.
 #include "src/simulation/simulation.hpp"
 #include <algorithm>
 #include <cmath>
@@ -56,13 +56,13 @@ std::vector<Transform> image_maps(const Scene& scene) {
 
 // Motion is felt as far as a kernel's support; and in a hex a tied particle moves though it lies farther than
 // the nodes that move.
-Sleep Simulation::sleep_of() const {
-  Sleep s;
+Freeze Simulation::freeze_of() const {
+  Freeze s;
   s.distance = Real(*deck.sleep.distance);
   s.ramp = Real(deck.sleep.ramp) * s.distance;
   s.margin = Real(model.cutoff + model.hex_diagonal), s.reach = Real(model.cutoff);
   // Waves of up to 0.6 ramps come back with less than 2 %; longer ones meet a fixed support
-  // (tests/src/test_sleep.cpp).
+  // (tests/src/test_freeze.cpp).
   s.damping = Real(16 * fastest_wave(model.materials, mass_factor)) / s.ramp;
   s.speed = Real(deck.sleep.speed * slowest_drive);
   s.cell = s.distance / 16;
@@ -71,48 +71,48 @@ Sleep Simulation::sleep_of() const {
   return s;
 }
 
-// Before what is left is put to sleep: a chip that has gone is not of the active region.
+// Before what is left is frozen: a chip that has gone is not of the active region.
 void Simulation::retire() {
   Retire r;
   r.distance = Real(*deck.retire.distance), r.reach = Real(model.spacing);
-  r.elapsed = Real(now - rested_at), r.first_position = first_position;
+  r.elapsed = Real(now - frozen_at), r.first_position = first_position;
   const ToolAt tool{model.tool, pose()};
   const VectorField work = with_images(find_work(model.particles, model.hexes, tool, r), image_maps(model));
   retire_particles(model.particles, work, tool, r);
 }
 
-void Simulation::rest() {
-  Sleep sleep = sleep_of();
+void Simulation::freeze() {
+  Freeze freeze_limits = freeze_of();
   if (deck.retire.distance) retire();
   const ToolAt tool{model.tool, pose()};
-  VectorField region = find_active_region(model.particles, model.hexes, tool, sleep);
+  VectorField region = find_active_region(model.particles, model.hexes, tool, freeze_limits);
   if (region.extent(0) == 0) { // the tool is still on its way: where it is nearest, if it is near at all
-    sleep.near = model.tool.reach;
-    region = find_active_region(model.particles, model.hexes, tool, sleep);
+    freeze_limits.near = model.tool.reach;
+    region = find_active_region(model.particles, model.hexes, tool, freeze_limits);
   }
   region = with_images(region, image_maps(model));
-  rest_particles(model.particles, model.tie, region, sleep);
+  freeze_particles(model.particles, model.tie, region, freeze_limits);
   find_held_rows(model.held_rows, model.particles);
-  rest_hexes(model.hexes, model.node_transforms, region, sleep);
-  rest_due = false, others_sleep = true, rested_at = now;
-  next_check = std::min(next_check, steps + 1); // what wakes may ask for a shorter step
-  timer.mark("sleep");
+  freeze_hexes(model.hexes, model.node_transforms, region, freeze_limits);
+  freeze_due = false, others_frozen = true, frozen_at = now;
+  next_check = std::min(next_check, steps + 1); // what thaws may ask for a shorter step
+  timer.mark("freeze");
 }
 
 // Until the active region is looked for again the tool may travel a quarter of what is near to it, the rest
 // being for the gap at which it touches; and what moves fastest, a fragment then, a quarter of the distance
-// to which all around it is awake. Without a tool a wave runs ahead of the points that it moves: these may go
-// as far as the active region is known to. What has retired is looked for a spacing around.
-void Simulation::plan_rest(double speed) {
+// to which all around it is active. Without a tool a wave runs ahead of the points that it moves: these may
+// go as far as the active region is known to. What has retired is looked for a spacing around.
+void Simulation::plan_freeze(double speed) {
   if (!deck.sleep.distance) return;
-  const Sleep s = sleep_of();
-  const double elapsed = now - rested_at + step_size * double(next_check - steps); // at the next check
+  const Freeze s = freeze_of();
+  const double elapsed = now - frozen_at + step_size * double(next_check - steps); // at the next check
   const bool has_tool = model.tool.facets > 0;
   const bool tool_came = has_tool && driving_speed * elapsed >= 0.25 * double(s.near);
   double way = has_tool ? 0.25 * double(s.distance) : double(s.cell);
   if (model.spacing > 0 && (deck.retire.distance || !has_tool)) way = std::min(way, model.spacing);
-  rest_due = tool_came || speed * elapsed >= way;
-  lists_due = lists_due || (rest_due && model.particles.stored > 0);
+  freeze_due = tool_came || speed * elapsed >= way;
+  lists_due = lists_due || (freeze_due && model.particles.stored > 0);
 }
 
 void Simulation::fade_waves() {
