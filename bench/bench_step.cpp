@@ -122,8 +122,8 @@ void bench_step(benchmark::State& state, Deck (*scene)(double)) {
   state.SetItemsProcessed(int64_t(double(steps) * items));
   state.counters["items"] = items, state.counters["steps"] = double(steps) / double(state.iterations());
   state.counters["particles"] = particles.count, state.counters["tied"] = particles.tied;
-  state.counters["rows"] = double(particles.position.extent(0)); // with those of images
-  state.counters["images"] = simulation.neighbors().images, state.counters["hexes"] = hexes;
+  state.counters["rows"] = double(particles.position.extent(0)); // with those of ghosts
+  state.counters["ghosts"] = simulation.neighbors().ghosts, state.counters["hexes"] = hexes;
   report_phases(state, simulation, before, steps);
   report_watch(state, watch, steps);
 }

@@ -5,7 +5,7 @@
 // tied particles, whose volumes fall along the ramp, too little across it. Reads temperature, heat_shape
 // (velocity_gradient.cpp), volume, inverse_support, mass. Writes heat (J, rows [0, count + tied)) and the
 // temperature of rows [0, count); heat_state is its own.
-#include "copy_to_images.hpp"
+#include "copy_to_ghosts.hpp"
 #include "swarf/material/heat.hpp"
 #include "swarf/particles/pair.hpp"
 
@@ -43,11 +43,11 @@ KOKKOS_INLINE_FUNCTION Pack sum_heat(const Particles& p, const Neighbors& n, int
 
 } // namespace
 
-void conduct_heat(const Particles& p, const Neighbors& n, const ImagePlanes& planes,
+void conduct_heat(const Particles& p, const Neighbors& n, const GhostPlanes& planes,
                   const MaterialTable& materials, Real dt) {
   if (p.count + p.tied == 0) return;
   prepare_heat_state(p, materials);
-  copy_to_images<Images::in_conduct_heat>("update_image_heat", p, n, planes);
+  copy_to_ghosts<Ghosts::in_conduct_heat>("update_ghost_heat", p, n, planes);
   const MaterialPoints points = p.points;
   const int count = p.count;
   Kokkos::parallel_for(

@@ -15,7 +15,7 @@
 // deformation_gradient, volume, inverse_support, K in pair_stress, and in surface_shift how far neighbours
 // lack; writes velocity_gradient, deformation_gradient, K, surface_shift and edge_normal, rows [0, count);
 // surface_term is its own.
-#include "copy_to_images.hpp"
+#include "copy_to_ghosts.hpp"
 #include "correction.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/surface.hpp"
@@ -166,10 +166,10 @@ void add_deformation(const Sight& see) {
 
 } // namespace
 
-void correct_surface(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
+void correct_surface(const Particles& p, const Neighbors& n, const GhostPlanes& planes) {
   const bool initial = p.deformation_gradient.extent(0) > 0;
   const Sight see{p, n, initial ? n.build_position : p.position, initial};
-  copy_to_images<Images::in_surface_gradient>("update_image_gradient", p, n, planes);
+  copy_to_ghosts<Ghosts::in_surface_gradient>("update_ghost_gradient", p, n, planes);
   find_surface_shifts(see);
   if (!initial) return add_changes(see, VelocityGradients{p.points.velocity_gradient});
   add_changes(see, DeformationRates{p.points.velocity_gradient, p.deformation_gradient});

@@ -8,7 +8,7 @@
 // active and have not failed: the pressure of failed ones follows from their density. Reads stress, damage, K
 // in pair_stress, volume, inverse_support, impedance; writes stress and density; moves the elastic energy
 // that is lost from internal_work to hourglass_work.
-#include "copy_to_images.hpp"
+#include "copy_to_ghosts.hpp"
 #include "swarf/material/thermal.hpp"
 #include "swarf/particles/pair.hpp"
 
@@ -75,12 +75,12 @@ KOKKOS_INLINE_FUNCTION Pack sum_diffusion(const Particles& p, const Neighbors& n
 
 } // namespace
 
-void diffuse_pressure(const Particles& p, const Neighbors& n, const ImagePlanes& planes,
+void diffuse_pressure(const Particles& p, const Neighbors& n, const GhostPlanes& planes,
                       const MaterialTable& materials, const PressureDiffusion& set) {
   prepare_pressure(p);
-  copy_to_images<Images::in_diffuse_pressure>("update_image_pressure", p, n, planes);
+  copy_to_ghosts<Ghosts::in_diffuse_pressure>("update_ghost_pressure", p, n, planes);
   find_gradient(p, n);
-  copy_to_images<Images::in_diffuse_pressure>("update_image_pressure", p, n, planes);
+  copy_to_ghosts<Ghosts::in_diffuse_pressure>("update_ghost_pressure", p, n, planes);
   const MaterialPoints points = p.points;
   Kokkos::parallel_for(
       "diffuse_pressure", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {

@@ -4,7 +4,7 @@
 // are not counted: where two meet each has a surface. Reads position, volume, inverse_support,
 // equivalent_plastic_strain, shifted_strain, contact_force, friction_force, constraints, surface_normal.
 #include "cell_order.hpp"
-#include "copy_to_images.hpp"
+#include "copy_to_ghosts.hpp"
 #include "correction.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/shifting.hpp"
@@ -66,13 +66,13 @@ KOKKOS_FORCEINLINE_FUNCTION Sums sum_neighbors(const Particles& p, const Neighbo
 
 } // namespace
 
-Shifts find_shifts(const Particles& p, const Neighbors& n, const ImagePlanes& planes,
+Shifts find_shifts(const Particles& p, const Neighbors& n, const GhostPlanes& planes,
                    const ParticleMethod& method) {
   Shifts found;
   found.cluster = clusters_that_flowed(p, n);
   const int clusters = found.clusters(), slots = clusters * pack_width;
   if (clusters == 0) return found;
-  copy_to_images<Images::in_find_shifts>("update_image_normal", p, n, planes);
+  copy_to_ghosts<Ghosts::in_find_shifts>("update_ghost_normal", p, n, planes);
   found.displacement = VectorField("shift_displacement", slots);
   found.corrected = VectorField("shift_corrected", slots);
   found.normal = VectorField("shift_normal", slots);

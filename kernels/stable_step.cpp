@@ -45,7 +45,7 @@ KOKKOS_INLINE_FUNCTION Real step_of_pair_terms(const ParticleMethod& m, const Ma
 using MinStep = Kokkos::MinLoc<Real, int>;
 
 // The two largest displacements since the lists were built: a pair comes nearer by no more than both, and a
-// fragment that flies alone by little more than its own. Images count, for a mirror's comes to meet its
+// fragment that flies alone by little more than its own. Ghosts count, for a mirror's comes to meet its
 // particle. (Ties: whichever row is taken, the other has as much.)
 Real largest_approach(const Particles& p, const Neighbors& n) {
   const VectorField position = p.position, build = n.build_position;

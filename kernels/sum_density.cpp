@@ -1,6 +1,6 @@
 // rho_i = rho_0 S_i / S_i(0),  S_i = sum_j m_j W_ij over the neighbours and i itself: density by summation,
 // relative to the sum on the undeformed lattice, so that a free surface keeps its density.
-// m_j is V_j rho_j, which the images carry. Where reference_summation is 0 the sum becomes the reference.
+// m_j is V_j rho_j, which the ghosts carry. Where reference_summation is 0 the sum becomes the reference.
 #include "swarf/kernels.hpp"
 #include "swarf/particles/pair.hpp"
 

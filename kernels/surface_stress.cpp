@@ -7,7 +7,7 @@
 // sigma. In the initial frame sigma is the first Piola-Kirchhoff stress J sigma F^-T, and L is dF/dt. Reads
 // position or build_position, deformation_gradient, volume, inverse_support, stress, surface_shift; writes t
 // to surface_term, rows [0, count + tied).
-#include "copy_to_images.hpp"
+#include "copy_to_ghosts.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/surface.hpp"
 
@@ -42,27 +42,27 @@ KOKKOS_FORCEINLINE_FUNCTION Tensor3Of<Pack> sum_stresses(const Particles& p, con
   return t;
 }
 
-// Most images are not at a surface: of these no more than that.
-void show_images(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
-  const int first = n.image_first;
-  const auto source = n.image_source;
+// Most ghosts are not at a surface: of these no more than that.
+void show_ghosts(const Particles& p, const Neighbors& n, const GhostPlanes& planes) {
+  const int first = n.ghost_first;
+  const auto source = n.ghost_source;
   for (int k = 0; k < n.planes; ++k) {
-    const Transform map = planes[std::size_t(k)].to_image;
+    const Transform map = planes[std::size_t(k)].to_ghost;
     Kokkos::parallel_for(
-        "surface_images", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
-          const int from = source(image), to = first + image;
+        "surface_ghosts", Range(n.ghost_start[k], n.ghost_start[k + 1]), KOKKOS_LAMBDA(int ghost) {
+          const int from = source(ghost), to = first + ghost;
           if (p.surface_shift(from, 0) == 0)
             p.surface_shift(to, 0) = 0;
           else
-            for_each_field(p, CopyToImage<Images::in_surface_stress>{from, to, map});
+            for_each_field(p, CopyToGhost<Ghosts::in_surface_stress>{from, to, map});
         });
   }
 }
 
 } // namespace
 
-void surface_stress(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
-  show_images(p, n, planes);
+void surface_stress(const Particles& p, const Neighbors& n, const GhostPlanes& planes) {
+  show_ghosts(p, n, planes);
   Kokkos::parallel_for(
       "surface_stress", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int cluster) {
         const Lanes lanes{n.first(cluster), n.size(cluster)};

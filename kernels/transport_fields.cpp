@@ -4,7 +4,7 @@
 // material. Masses stay as they are, so that sum m f of what is kept (momentum, heat, plastic
 // strain) would change as far as sum m d is not zero: of a scalar, gains are scaled down to the losses, or
 // losses to the gains; of a vector, the sum is taken back in proportion to each change, in directions in
-// which images leave it as it is: mirrors and turned sectors do not keep the others. The kinetic and
+// which ghosts leave it as it is: mirrors and turned sectors do not keep the others. The kinetic and
 // elastic energy that goes is booked as shifting_work. Reads what find_shifts found; writes position,
 // surface_normal, shifted_strain, the transported fields, internal_work and shifting_work.
 #include "block_sum.hpp"
@@ -70,7 +70,7 @@ struct Gather { // the values of row i
   }
 };
 
-struct Turn { // row `from` in the frame of its image `to`
+struct Turn { // row `from` in the frame of its ghost `to`
   const Values& at;
   int from, to;
   const Tensor3& R;
@@ -91,19 +91,19 @@ struct Turn { // row `from` in the frame of its image `to`
 };
 
 // Of all rows that a list may hold: side by side, for a pair reads them all.
-Values gather_values(const Particles& p, const Neighbors& n, const ImagePlanes& planes) {
+Values gather_values(const Particles& p, const Neighbors& n, const GhostPlanes& planes) {
   const Values values(Kokkos::view_alloc(Kokkos::WithoutInitializing, "transported_values"), p.total);
   Kokkos::parallel_for(
       "gather_values", Range(0, p.listed), KOKKOS_LAMBDA(int i) {
         for_each_transported(p, Gather{values, i});
       });
-  const int first = n.image_first;
-  const auto source = n.image_source;
+  const int first = n.ghost_first;
+  const auto source = n.ghost_source;
   for (int k = 0; k < n.planes; ++k) {
-    const Tensor3 R = planes[std::size_t(k)].to_image.R;
+    const Tensor3 R = planes[std::size_t(k)].to_ghost.R;
     Kokkos::parallel_for(
-        "turn_values", Range(n.image_start[k], n.image_start[k + 1]), KOKKOS_LAMBDA(int image) {
-          for_each_transported(p, Turn{values, source(image), first + image, R});
+        "turn_values", Range(n.ghost_start[k], n.ghost_start[k + 1]), KOKKOS_LAMBDA(int ghost) {
+          for_each_transported(p, Turn{values, source(ghost), first + ghost, R});
         });
   }
   return values;
@@ -239,10 +239,10 @@ Balance balance_changes(const Particles& p, const Neighbors& n, const MaterialTa
 }
 
 // Projects on the directions that no active plane turns or mirrors.
-Tensor3 kept_directions(const ImagePlanes& planes) {
+Tensor3 kept_directions(const GhostPlanes& planes) {
   Tensor3 kept = identity3();
-  for (const ImagePlane& plane : planes) {
-    const Tensor3 R = plane.to_image.R, back = transpose(R), I = identity3();
+  for (const GhostPlane& plane : planes) {
+    const Tensor3 R = plane.to_ghost.R, back = transpose(R), I = identity3();
     const Real trace = R.xx + R.yy + R.zz, turned = Real(3) - trace;
     const bool mirror = determinant(R) < 0;
     if (!plane.active || (!mirror && turned < Real(1e-6))) continue; // a shift
@@ -275,7 +275,7 @@ SWARF_FN Real kinetic_energy(const Particles& p, Real mass_factor, int i) {
 
 } // namespace
 
-void transport_fields(const Particles& p, const Neighbors& n, const ImagePlanes& planes,
+void transport_fields(const Particles& p, const Neighbors& n, const GhostPlanes& planes,
                       const MaterialTable& materials, const Shifts& shifts, Real mass_factor) {
   if (for_each_transported(p, Count{}) != columns)
     Kokkos::abort("transport_fields: another number of columns");

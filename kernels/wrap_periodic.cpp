@@ -20,14 +20,14 @@ struct TurnRow {
 
 } // namespace
 
-void wrap_periodic(const Particles& p, const ImagePlanes& planes, const Status& status) {
-  for (const ImagePlane& each : planes) {
+void wrap_periodic(const Particles& p, const GhostPlanes& planes, const Status& status) {
+  for (const GhostPlane& each : planes) {
     if (!each.periodic) continue;
-    const ImagePlane plane = each;
+    const GhostPlane plane = each;
     Kokkos::parallel_for(
         "wrap_periodic", Range(0, p.count), KOKKOS_LAMBDA(int i) {
           if (dot(plane.normal, load_vector(p.position, i)) >= plane.offset) return;
-          for_each_field(p, TurnRow{i, plane.to_image});
+          for_each_field(p, TurnRow{i, plane.to_ghost});
           if (!(dot(plane.normal, load_vector(p.position, i)) >= plane.offset))
             report(status, Fault::particle_lost, p.identity(i)); // rows are sorted before anyone reads it
         });

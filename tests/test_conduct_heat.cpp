@@ -29,7 +29,7 @@ void set_temperature(const ParticleBlock& b, Function&& T) {
   Kokkos::deep_copy(b.particles.points.temperature, field);
 }
 
-void conduct(ParticleBlock& b, Real dt, const ImagePlanes& planes = {}) {
+void conduct(ParticleBlock& b, Real dt, const GhostPlanes& planes = {}) {
   conduct_heat(b.particles, b.neighbors, planes, b.materials, dt);
 }
 
@@ -86,15 +86,15 @@ double decay_ratio(int n, bool along_surface) {
 TEST(ConductHeat, CosineDecaysInABar) { EXPECT_NEAR(decay_ratio(16, false), 1.0179 * 1.0179, 0.004); }
 TEST(ConductHeat, CosineDecaysAlongAThinPlate) { EXPECT_NEAR(decay_ratio(24, true), 1.0480 * 1.0179, 0.004); }
 
-// Periodic images: a cosine of the period decays as in an endless body, at alpha (2 pi / L)^2.
-TEST(ConductHeat, PassesThroughPeriodicImages) {
+// Periodic ghosts: a cosine of the period decays as in an endless body, at alpha (2 pi / L)^2.
+TEST(ConductHeat, PassesThroughPeriodicGhosts) {
   const int n = 16;
   const double L = n * 1e-5;
   ParticleBlock b = conducting_block(n, 8, 8, Real(1e-5));
   const auto face = [&](Real sign, Real offset) {
-    return ImagePlane{{sign, 0, 0}, offset, {identity3(), {sign * Real(L), 0, 0}}, true, true};
+    return GhostPlane{{sign, 0, 0}, offset, {identity3(), {sign * Real(L), 0, 0}}, true, true};
   };
-  const ImagePlanes planes{face(1, 0), face(-1, Real(-L))};
+  const GhostPlanes planes{face(1, 0), face(-1, Real(-L))};
   build_lists(b, planes);
   velocity_gradient(b.particles, b.neighbors, b.method);
   set_temperature(b, [&](double x, double, double) { return 300 + std::cos(2 * pi * x / L); });

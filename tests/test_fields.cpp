@@ -1,5 +1,5 @@
 // Every row of the table of particle fields does what it says, by rules that are written here once more.
-#include "kernels/copy_to_images.hpp"
+#include "kernels/copy_to_ghosts.hpp"
 #include "support/particle_block.hpp"
 #include <array>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace swarf::test {
 namespace {
 
-constexpr int rows = 6, images = 2;
+constexpr int rows = 6, ghosts = 2;
 constexpr Real untouched = 7;
 
 template <class Field>
@@ -46,14 +46,14 @@ RowsOf read(const Particles& p) {
   return out;
 }
 
-// All fields of all methods, no number of them twice; what has images has room for them.
+// All fields of all methods, no number of them twice; what has ghosts has room for them.
 Particles filled_particles() {
   Particles p;
   p.count = p.points.count = p.listed = p.stored = p.total = p.whole = rows;
   int fields = 0;
   for_each_field(p, [&](const char* name, auto& field, auto facts) {
     using Field = std::decay_t<decltype(field)>;
-    field = Field(name, rows + (facts.on_images ? images : 0));
+    field = Field(name, rows + (facts.on_ghosts ? ghosts : 0));
     const auto host = host_copy(field);
     ++fields;
     for (int i = 0; i < int(field.extent(0)); ++i)
@@ -172,7 +172,7 @@ TEST(Fields, SortingMovesHistoryAndWhatFrozenRowsKeep) {
 
 TEST(Fields, WhatIsKeptTurnsWhereAParticleWraps) {
   const Particles p = filled_particles();
-  const ImagePlane plane{{1, 0, 0}, 0, oblique_map(), true, true};
+  const GhostPlane plane{{1, 0, 0}, 0, oblique_map(), true, true};
   set_rows(p.position, 1, [](const Vector3&) { return Vector3{-1, 2, 4}; }); // the first is outside
   const RowsOf before = read(p);
   const Status status("status");
@@ -180,57 +180,57 @@ TEST(Fields, WhatIsKeptTurnsWhereAParticleWraps) {
   const RowsOf after = read(p);
   for_each_field(p, [&](const char* name, const auto&, auto facts) {
     const Frame frame = facts.life == Life::derived ? Frame::scalar : facts.frame;
-    expect_row(after.at(name)[0], turned(frame, before.at(name)[0], plane.to_image), name);
+    expect_row(after.at(name)[0], turned(frame, before.at(name)[0], plane.to_ghost), name);
     for (std::size_t i = 1; i < rows; ++i) EXPECT_EQ(after.at(name)[i], before.at(name)[i]) << name;
   });
 }
 
-template <Images when>
-void expect_images() {
+template <Ghosts when>
+void expect_ghosts() {
   const Particles p = filled_particles();
-  const ImagePlanes planes = {{{1, 0, 0}, 0, oblique_map(), true, true}};
+  const GhostPlanes planes = {{{1, 0, 0}, 0, oblique_map(), true, true}};
   Neighbors n;
-  n.image_first = rows, n.images = images, n.planes = 1, n.image_start[1] = images;
-  n.image_source = IndexField("source", images);
-  const auto source = host_copy(n.image_source);
+  n.ghost_first = rows, n.ghosts = ghosts, n.planes = 1, n.ghost_start[1] = ghosts;
+  n.ghost_source = IndexField("source", ghosts);
+  const auto source = host_copy(n.ghost_source);
   source(0) = 3, source(1) = 1;
-  Kokkos::deep_copy(n.image_source, source);
+  Kokkos::deep_copy(n.ghost_source, source);
   const RowsOf before = read(p);
-  copy_to_images<when>("test", p, n, planes);
+  copy_to_ghosts<when>("test", p, n, planes);
   const RowsOf after = read(p);
   int carried = 0;
   for_each_field(p, [&](const char* name, const auto&, auto facts) {
     for (std::size_t i = 0; i < before.at(name).size(); ++i) {
-      if (i < rows || !facts.on_images_at(when)) {
+      if (i < rows || !facts.on_ghosts_at(when)) {
         EXPECT_EQ(after.at(name)[i], before.at(name)[i]) << name;
         continue;
       }
       const auto& from = before.at(name)[std::size_t(source(int(i) - rows))];
-      expect_row(after.at(name)[i], turned(facts.frame, from, planes[0].to_image), name);
+      expect_row(after.at(name)[i], turned(facts.frame, from, planes[0].to_ghost), name);
       ++carried;
     }
   });
-  EXPECT_GE(carried, images);
+  EXPECT_GE(carried, ghosts);
 }
 
-TEST(Fields, ImagesCarryWhatTheirRowsSay) {
-  expect_images<Images::when_made>(), expect_images<Images::after_drift>();
-  expect_images<Images::before_forces>(), expect_images<Images::in_diffuse_pressure>();
-  expect_images<Images::in_conduct_heat>(), expect_images<Images::in_find_shifts>();
+TEST(Fields, GhostsCarryWhatTheirRowsSay) {
+  expect_ghosts<Ghosts::when_made>(), expect_ghosts<Ghosts::after_drift>();
+  expect_ghosts<Ghosts::before_forces>(), expect_ghosts<Ghosts::in_diffuse_pressure>();
+  expect_ghosts<Ghosts::in_conduct_heat>(), expect_ghosts<Ghosts::in_find_shifts>();
 }
 
-// Fields that a run does without get no rows from images.
-TEST(Fields, ImagesMakeRoomInWhatTheyCarry) {
+// Fields that a run does without get no rows from ghosts.
+TEST(Fields, GhostsMakeRoomInWhatTheyCarry) {
   ParticleBlock b = particle_block(4, 4, 4, Real(1e-3));
   Particles& p = b.particles;
-  const ImagePlanes planes = {{{1, 0, 0}, 0, {identity3(), {Real(4e-3), 0, 0}}, true, true}};
-  make_images(p, b.neighbors, planes);
+  const GhostPlanes planes = {{{1, 0, 0}, 0, {identity3(), {Real(4e-3), 0, 0}}, true, true}};
+  make_ghosts(p, b.neighbors, planes);
   ASSERT_GT(p.total, p.stored);
   for_each_field(p, [&](const char* name, const auto& field, auto facts) {
     const int had = int(field.extent(0));
     const bool is_used = facts.method != Method::with_conduction;
     EXPECT_TRUE(is_used || had == 0) << name;
-    EXPECT_EQ(had >= p.total, had > 0 && facts.on_images) << name;
+    EXPECT_EQ(had >= p.total, had > 0 && facts.on_ghosts) << name;
   });
 }
 

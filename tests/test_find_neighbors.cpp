@@ -78,7 +78,7 @@ TEST(FindNeighbors, MatchesBruteForceFarFromTheOrigin) {
 TEST(FindNeighbors, PeriodicLatticeHasNoSurface) {
   const Real s = Real(1e-6);
   ParticleBlock b = particle_block(6, 6, 6, s);
-  ImagePlanes planes;
+  GhostPlanes planes;
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side) {
       Vector3 n{Real(axis == 0), Real(axis == 1), Real(axis == 2)};

@@ -1,5 +1,5 @@
 // Shifts of blocks of particles. Theory: an even lattice rests, also at its surface; disorder inside goes and
-// the surface stays; a rigid motion of the block, an image in place of a particle or another number of
+// the surface stays; a rigid motion of the block, a ghost in place of a particle or another number of
 // threads changes nothing; no particle goes farther than it has flowed.
 #include "support/shifting_block.hpp"
 #include "swarf/particles/shifting.hpp"
@@ -240,11 +240,11 @@ TEST(FindShifts, MovesAlongTheToolThatTouches) {
 }
 
 // A slice that is periodic along z against the middle of three in a row; the second call sees normals of
-// images.
+// ghosts.
 TEST(FindShifts, APeriodicSliceIsTheMiddleOfMany) {
   constexpr int layers = 7, count = 6 * 5 * layers;
   const Real length = layers * unit;
-  const ImagePlanes planes = periodic_along(2, length);
+  const GhostPlanes planes = periodic_along(2, length);
   ParticleBlock slice = flowing_block(6, 5, layers, Real(0.2), plenty),
                 row = flowing_block(6, 5, 3 * layers, 0, plenty);
   const Status status("status");
@@ -273,7 +273,7 @@ TEST(FindShifts, APeriodicSliceIsTheMiddleOfMany) {
 namespace {
 
 constexpr Tensor3 left{0, -1, 0, 1, 0, 0, 0, 0, 1}, right{0, 1, 0, -1, 0, 0, 0, 0, 1}; // by 90 degrees
-const ImagePlanes quarter = {{{1, 0, 0}, 0, {right, {0, 0, 0}}, true, true},
+const GhostPlanes quarter = {{{1, 0, 0}, 0, {right, {0, 0, 0}}, true, true},
                              {{0, 1, 0}, 0, {left, {0, 0, 0}}, true, true}};
 
 // Disordered particles of a quarter of a ring, mean radii 6 .. 9 spacings, 5 layers.
@@ -294,7 +294,7 @@ std::vector<Vector3> quarter_of_ring() {
 }
 
 // The quarter `copies` times, each turned by a right angle from the last.
-ParticleBlock ring(int copies, const ImagePlanes& planes) {
+ParticleBlock ring(int copies, const GhostPlanes& planes) {
   const std::vector<Vector3> x = quarter_of_ring();
   ParticleBlock b = flowing_block(int(x.size()) * copies, 1, 1, 0, plenty);
   set_rows(b.particles.position, b.particles.count, [&, i = std::size_t(0)](const Vector3&) mutable {
@@ -310,7 +310,7 @@ ParticleBlock ring(int copies, const ImagePlanes& planes) {
 
 TEST(FindShifts, ASectorIsAQuarterOfARing) {
   const ParticleBlock sector = ring(1, quarter), whole = ring(4, {});
-  ASSERT_GT(sector.neighbors.images, 50);
+  ASSERT_GT(sector.neighbors.ghosts, 50);
   for (int call = 0; call < 2; ++call) {
     const Shifts in_sector = shift_once(sector, quarter), in_whole = shift_once(whole);
     const auto d = by_identity(sector, in_sector, in_sector.displacement),

@@ -9,7 +9,7 @@ const Tensor3 large_shear{1.2, 0.9, -0.3, 0.1, 0.7, 0.2, -0.4, 0.3, 1.5};
 const Tensor3 half_turn{-1, 0, 0, 0, -1, 0, 0, 0, 1};
 
 // Lists of the initial positions X of a disordered block with free surfaces.
-ParticleBlock initial_block(const ImagePlanes& planes = {}) {
+ParticleBlock initial_block(const GhostPlanes& planes = {}) {
   ParticleBlock b = particle_block(9, 8, 7, Real(1e-3), Real(0.1));
   b.method.initial_frame = true;
   b.particles.deformation_gradient = TensorField("deformation_gradient", b.particles.count);
@@ -18,13 +18,13 @@ ParticleBlock initial_block(const ImagePlanes& planes = {}) {
 }
 
 // x = F X, v = rate x
-void deform(ParticleBlock& b, const Tensor3& F, const Tensor3& rate, const ImagePlanes& planes = {}) {
+void deform(ParticleBlock& b, const Tensor3& F, const Tensor3& rate, const GhostPlanes& planes = {}) {
   Particles& p = b.particles;
   set_rows(p.position, p.count, [&](const Vector3& X) { return multiply(F, X); });
   const auto x = host_copy(p.position), v = host_copy(p.velocity);
   for (int i = 0; i < p.count; ++i) store_vector(v, i, multiply(rate, load_vector(x, i)));
   Kokkos::deep_copy(p.velocity, v);
-  update_images(p, b.neighbors, planes);
+  update_ghosts(p, b.neighbors, planes);
 }
 
 void randomize(const ParticleBlock& b, Real displacement) {
@@ -74,15 +74,15 @@ TEST(ReferenceGradient, OfARotatingTurnedBodyIsASpin) {
 }
 
 // A mirror sees a linear motion that keeps its plane as the whole body does.
-TEST(ReferenceGradient, SeesImagesOfTheInitialPositions) {
-  const ImagePlane mirror{{1, 0, 0}, 0, {{-1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}}, false, true};
-  ImagePlane none = mirror;
+TEST(ReferenceGradient, SeesGhostsOfTheInitialPositions) {
+  const GhostPlane mirror{{1, 0, 0}, 0, {{-1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}}, false, true};
+  GhostPlane none = mirror;
   none.active = false;
-  const ImagePlanes planes{mirror, none};
+  const GhostPlanes planes{mirror, none};
   const Tensor3 stretch{1.6, 0, 0, 0, 0.8, 0.3, 0, 0.1, 0.7}, rate{2, 0, 0, 0, -1, 4, 0, 0.5, 3};
   ParticleBlock b = initial_block(planes);
   deform(b, stretch, rate, planes);
-  EXPECT_GT(b.neighbors.images, 0);
+  EXPECT_GT(b.neighbors.ghosts, 0);
   reference_gradient(b.particles, b.neighbors);
   EXPECT_LT(largest_error(b.particles, rate), 1e4 * round_off);
 }

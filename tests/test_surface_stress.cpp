@@ -13,7 +13,7 @@ struct Balance {
 };
 
 // Random stress and velocity on a disordered block with free surfaces; in the initial frame also deformed.
-Balance balance_of_forces(bool initial, const ImagePlanes& planes = {}) {
+Balance balance_of_forces(bool initial, const GhostPlanes& planes = {}) {
   ParticleBlock b = particle_block(9, 8, 7, Real(1e-3), Real(0.1));
   Particles& p = b.particles;
   p.surface_shift = View<Real* [4]>("surface_shift", p.count);
@@ -35,7 +35,7 @@ Balance balance_of_forces(bool initial, const ImagePlanes& planes = {}) {
     set_rows(p.position, p.count, [&](const Vector3& x) {
       return x + Real(5e-5) * Vector3{u(random), u(random), u(random)};
     });
-    update_images(p, b.neighbors, planes);
+    update_ghosts(p, b.neighbors, planes);
     reference_gradient(p, b.neighbors);
   } else {
     velocity_gradient(p, b.neighbors, b.method);
@@ -48,7 +48,7 @@ Balance balance_of_forces(bool initial, const ImagePlanes& planes = {}) {
   const auto velocity = host_copy(p.velocity);
   surface_stress(p, b.neighbors, planes);
   prepare_pair_state(p, b.materials, b.method);
-  update_image_state(p, b.neighbors, planes);
+  update_ghost_state(p, b.neighbors, planes);
   particle_forces(p, b.neighbors, b.method, Real(1));
   const auto f = host_copy(p.force);
   const auto V = host_copy(p.volume);
@@ -83,15 +83,15 @@ TEST(SurfaceStress, KeepsLinearAndAngularMomentum) {
   }
 }
 
-// Images bring what their rows bring, with vectors and stresses turned: in a slice that is periodic along z,
+// Ghosts bring what their rows bring, with vectors and stresses turned: in a slice that is periodic along z,
 // and in half of what a mirror at x = 0 and one at z = 0 make whole.
-TEST(SurfaceStress, ForcesDoTheWorkOfTheStressesBesideImages) {
+TEST(SurfaceStress, ForcesDoTheWorkOfTheStressesBesideGhosts) {
   const Transform back{{-1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}},
       down{{1, 0, 0, 0, 1, 0, 0, 0, -1}, {0, 0, 0}};
-  const ImagePlanes slice = {{{0, 0, 1}, 0, {identity3(), {0, 0, Real(7e-3)}}, true, true},
+  const GhostPlanes slice = {{{0, 0, 1}, 0, {identity3(), {0, 0, Real(7e-3)}}, true, true},
                              {{0, 0, -1}, Real(-7e-3), {identity3(), {0, 0, Real(-7e-3)}}, true, true}};
-  const ImagePlanes mirrors = {{{1, 0, 0}, 0, back, false, true}, {{0, 0, 1}, 0, down, false, true}};
-  for (const ImagePlanes& planes : {slice, mirrors})
+  const GhostPlanes mirrors = {{{1, 0, 0}, 0, back, false, true}, {{0, 0, 1}, 0, down, false, true}};
+  for (const GhostPlanes& planes : {slice, mirrors})
     for (const bool initial : {false, true}) {
       const Balance sum = balance_of_forces(initial, planes);
       EXPECT_GT(std::abs(sum.added_power), Real(1e-3) * std::abs(sum.stress_power));

@@ -162,9 +162,9 @@ TEST(TransportFields, IsSecondOrderForSmoothFields) {
     const double length = 160 * double(unit);
     const Real spacing = Real(length / n);
     const auto sine = [&](double x) { return 3 + std::sin(2 * pi * x / length); };
-    ImagePlanes planes = periodic_along(0, Real(length));
+    GhostPlanes planes = periodic_along(0, Real(length));
     for (int axis : {1, 2})
-      for (const ImagePlane& plane : periodic_along(axis, across * spacing)) planes.push_back(plane);
+      for (const GhostPlane& plane : periodic_along(axis, across * spacing)) planes.push_back(plane);
     ParticleBlock b = flowing_block(n, across, across, Real(0.2), 1, spacing);
     const Particles& p = b.particles;
     const Status status = make_status();
@@ -499,11 +499,11 @@ TEST(TransportFields, DoesWithoutFieldsThatARunLeavesOut) {
   EXPECT_EQ(stress[0], stress[1]);
 }
 
-// Values of images come in their own frame: a periodic quarter of a ring and the whole ring, whose fields
+// Values of ghosts come in their own frame: a periodic quarter of a ring and the whole ring, whose fields
 // turn with it. Velocities along the axis: the momentum across it of a quarter is no sum that anything keeps.
 TEST(TransportFields, ASectorIsAQuarterOfARing) {
   const Tensor3 left{0, -1, 0, 1, 0, 0, 0, 0, 1}, right{0, 1, 0, -1, 0, 0, 0, 0, 1}; // by 90 degrees
-  const ImagePlanes quarter = {{{1, 0, 0}, 0, {right, {0, 0, 0}}, true, true},
+  const GhostPlanes quarter = {{{1, 0, 0}, 0, {right, {0, 0, 0}}, true, true},
                                {{0, 1, 0}, 0, {left, {0, 0, 0}}, true, true}};
   constexpr int layers = 5, inner = 6, outer = 10;
   std::vector<Vector3> x, d;
@@ -544,7 +544,7 @@ TEST(TransportFields, ASectorIsAQuarterOfARing) {
     }
     Kokkos::deep_copy(p.position, position), Kokkos::deep_copy(p.velocity, v);
     Kokkos::deep_copy(p.hourglass_displacement, u), Kokkos::deep_copy(p.points.stress, s);
-    const ImagePlanes planes = copies == 1 ? quarter : ImagePlanes{};
+    const GhostPlanes planes = copies == 1 ? quarter : GhostPlanes{};
     build_lists(b, planes);
     const auto identity = host_copy(p.identity);
     const Shifts shifts = make_shifts(b, [&](int i) { return turned_d[std::size_t(identity(i))]; });

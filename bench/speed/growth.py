@@ -55,7 +55,7 @@ def draw_memory(axes, results):
     x = [row["items"] for row in rows]
     kinds = (("process, most", "v", "C3", lambda row: row["most_resident"]),
              ("Views", "o", "C0", lambda row: sum(row["bytes"].values())),
-             ("Views without images and tool", "D", "C4",
+             ("Views without ghosts and tool", "D", "C4",
               lambda row: row["items"] * sum(one[1] for one in memory.views(row) if one[0] != "tool")))
     for label, mark, colour, value in kinds:
         axes.plot(x, [value(row) / row["items"] for row in rows], "-", marker=mark, color=colour, markersize=4,

@@ -30,7 +30,7 @@ STEPS = {
 }
 FIELDS = ("items", "flops_per_item", "bytes_per_item", "lane_flops_per_item", "pairs_per_item", "lane_pairs_per_item",
           "listed_pairs_per_item", "near_pairs_per_item", "gpu_flops_per_item", "gpu_bytes_per_item",
-          "gathered_bytes_per_item", "particles", "rows", "tied", "images", "hexes", "steps", "most_resident",
+          "gathered_bytes_per_item", "particles", "rows", "tied", "ghosts", "hexes", "steps", "most_resident",
           "resident")
 
 

@@ -8,11 +8,11 @@ TEXT = """
 
 Scene "particles", double, 1 thread. Views: what Kokkos holds when it holds the most, from one rebuild of the lists to
 the next. Process: resident memory, the most of the whole run, the building of the scene among it. A periodic slice has
-images, rows of their own of whatever a neighbour is read from; they are the fewer the thicker the slice."""
+ghosts, rows of their own of whatever a neighbour is read from; they are the fewer the thicker the slice."""
 
 
 def growth_rows(results):
-    head = ["particles", "images", "Views, bytes a particle", "without images and tool", "process, most", "process, after"]
+    head = ["particles", "ghosts", "Views, bytes a particle", "without ghosts and tool", "process, most", "process, after"]
     table = []
     for size in results.step_sizes("step, particles"):
         row = results.get("step, particles", size, 1)
@@ -20,19 +20,19 @@ def growth_rows(results):
             continue
         items = row["items"]
         own = sum(one[1] for one in views(row) if one[0] != "tool")
-        table.append([size_text(int(items)), f"{100 * row['images'] / items:.0f} %",
+        table.append([size_text(int(items)), f"{100 * row['ghosts'] / items:.0f} %",
                       f"{sum(row['bytes'].values()) / items:.0f}", f"{own:.0f}", f"{row['most_resident'] / items:.0f}",
                       f"{row['resident'] / items:.0f}"])
     return reports.table(head, table)
 
 
 def views(row):
-    """(label, bytes of a particle's own row, bytes a particle with its share of images), largest first."""
+    """(label, bytes of a particle's own row, bytes a particle with its share of ghosts), largest first."""
     items, found = row["items"], {}
     for label, size in row["bytes"].items():
         label = "tool" if label.startswith("tool_") else label or "(no label)"
-        # Rows of particles alone, with room for images, or with images: whole numbers fill them.
-        fits = [rows for rows in (items, row["rows"], items + row["images"]) if size > items and size % rows < 1024]
+        # Rows of particles alone, with room for ghosts, or with ghosts: whole numbers fill them.
+        fits = [rows for rows in (items, row["rows"], items + row["ghosts"]) if size > items and size % rows < 1024]
         own = size * items / fits[0] if fits else size
         before = found.get(label, (0, 0))
         found[label] = before[0] + own / items, before[1] + size / items
@@ -55,7 +55,7 @@ def view_rows(results):
         else:
             rest = [rest[0] + own, rest[1] + all_]
     table.append(["others", f"{rest[0]:.1f}", f"{rest[1]:.1f}"])
-    yield from reports.table(["View", "bytes of a row", "bytes a particle, with images"], table)
+    yield from reports.table(["View", "bytes of a row", "bytes a particle, with ghosts"], table)
 
 
 def lines(results):

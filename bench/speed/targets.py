@@ -37,7 +37,7 @@ def measured(results):
     for size in (1_000_000, 4_000_000):
         for bits, word in ((64, "double"), (32, "float")):
             row = results.get("step, particles", size, 1, bits)
-            yield (f"memory at {size_text(size)} particles in {word}, lists and images included", 600, " bytes a particle",
+            yield (f"memory at {size_text(size)} particles in {word}, lists and ghosts included", 600, " bytes a particle",
                    True, row and row["most_resident"] / row["items"])
 
 

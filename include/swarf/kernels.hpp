@@ -38,20 +38,20 @@ struct HexMethod {
   Real mass_factor = 1;
 };
 
-// --- neighbours and images
-using ImagePlanes = std::vector<ImagePlane>; // on the host: a launch for each plane
-void wrap_periodic(const Particles&, const ImagePlanes&, const Status&); // back through the partner plane
+// --- neighbours and ghosts
+using GhostPlanes = std::vector<GhostPlane>; // on the host: a launch for each plane
+void wrap_periodic(const Particles&, const GhostPlanes&, const Status&); // back through the partner plane
 void sort_particles(Particles&, const CellGrid& lattice);     // rows [0, count) along a Hilbert curve
-void make_images(Particles&, Neighbors&, const ImagePlanes&); // rows [stored, total)
+void make_ghosts(Particles&, Neighbors&, const GhostPlanes&); // rows [stored, total)
 void find_neighbors(Neighbors&, const Particles&);            // clusters and their lists
-void update_images(const Particles&, const Neighbors&, const ImagePlanes&);      // position, velocity
-void update_image_state(const Particles&, const Neighbors&, const ImagePlanes&); // what the force sum needs
+void update_ghosts(const Particles&, const Neighbors&, const GhostPlanes&);      // position, velocity
+void update_ghost_state(const Particles&, const Neighbors&, const GhostPlanes&); // what the force sum needs
 
 // --- particles
 void velocity_gradient(const Particles&, const Neighbors&, const ParticleMethod&); // L_i and K_i
 void reference_gradient(const Particles&, const Neighbors&);                  // the same in the initial frame
-void correct_surface(const Particles&, const Neighbors&, const ImagePlanes&); // of second order
-void surface_stress(const Particles&, const Neighbors&, const ImagePlanes&);  // its adjoint
+void correct_surface(const Particles&, const Neighbors&, const GhostPlanes&); // of second order
+void surface_stress(const Particles&, const Neighbors&, const GhostPlanes&);  // its adjoint
 void sum_density(const Particles&, const Neighbors&, const MaterialTable&);   // density by summation
 void evolve_smoothing_length(const Particles&);                               // before the next
 void prepare_pair_state(const Particles&, const MaterialTable&, const ParticleMethod&);
@@ -63,7 +63,7 @@ struct PressureDiffusion {
   Real step;        // s, the last step
   bool density;     // goes along; false where it is a sum over neighbours
 };
-void diffuse_pressure(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&,
+void diffuse_pressure(const Particles&, const Neighbors&, const GhostPlanes&, const MaterialTable&,
                       const PressureDiffusion&);
 
 struct Shifts {             // slot pack_width k + lane is row first(cluster(k)) + lane
@@ -73,8 +73,8 @@ struct Shifts {             // slot pack_width k + lane is row first(cluster(k))
   VectorField normal;       // outward, of particles at a surface, else 0
   int clusters() const { return int(cluster.extent(0)); }
 };
-Shifts find_shifts(const Particles&, const Neighbors&, const ImagePlanes&, const ParticleMethod&);
-void transport_fields(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&,
+Shifts find_shifts(const Particles&, const Neighbors&, const GhostPlanes&, const ParticleMethod&);
+void transport_fields(const Particles&, const Neighbors&, const GhostPlanes&, const MaterialTable&,
                       const Shifts&,
                       Real mass_factor); // and moves the particles
 
@@ -99,7 +99,7 @@ void project_tie(const Tie&, const Particles&, const HexMesh&);       // x, v of
 void gather_tie_forces(const Tie&, const Particles&, const HexMesh&); // to the nodes of the hosts
 
 // --- heat
-void conduct_heat(const Particles&, const Neighbors&, const ImagePlanes&, const MaterialTable&, Real dt);
+void conduct_heat(const Particles&, const Neighbors&, const GhostPlanes&, const MaterialTable&, Real dt);
 void hex_heat(const HexMesh&, const MaterialTable&, Real dt);                         // to the corners
 void gather_heat(const Tie&, const Particles&, const HexMesh&, const MaterialTable&); // to the nodes
 // Of nodes, hexes, tied particles.

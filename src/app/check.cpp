@@ -220,8 +220,8 @@ int check_deck(const std::string& file, const std::string& picture) {
   simulation.start();
   refuse_endless(deck, simulation);
   const double start_up = seconds();
-  found.line("particles", "{} (+ {} tied, {} images)", scene.particles.whole, scene.tie.count,
-             simulation.neighbors().images);
+  found.line("particles", "{} (+ {} tied, {} ghosts)", scene.particles.whole, scene.tie.count,
+             simulation.neighbors().ghosts);
   if (deck.sleep.distance)
     found.line("active at the start", "{} (+ {} tied)", scene.particles.count, scene.particles.tied);
   found.line("hexes", "{} ({} nodes)", scene.hexes.points.count, scene.hexes.nodes);

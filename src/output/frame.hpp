@@ -46,7 +46,7 @@ struct FrameData {
   ToolFields tool_fields;
 };
 
-// Copies particles (without the tied ones and the images), hexes and the tool where it stands. time and
+// Copies particles (without the tied ones and the ghosts), hexes and the tool where it stands. time and
 // immersion are left to the caller, and what copy_tool_fields gives. The tool has 0 facets in scenes without
 // one.
 FrameData copy_frame(const Particles& particles, const HexMesh& hexes, const Tool& tool,

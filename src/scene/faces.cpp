@@ -51,11 +51,11 @@ RigidMap mirror(const Plane& plane) {
           2 * plane.offset * plane.normal};
 }
 
-ImagePlane make_image_plane(const Plane& plane, const RigidMap& to_image, bool periodic, bool active) {
-  return {to_vector3(plane.normal), Real(plane.offset), to_transform(to_image), periodic, active};
+GhostPlane make_ghost_plane(const Plane& plane, const RigidMap& to_ghost, bool periodic, bool active) {
+  return {to_vector3(plane.normal), Real(plane.offset), to_transform(to_ghost), periodic, active};
 }
 
-// Least distance between a particle and its image.
+// Least distance between a particle and its ghost.
 double slice_thickness(const Shape& shape, const std::string& low, const std::string& high) {
   if (low != "start") return std::abs(-shape.plane(high).offset - shape.plane(low).offset);
   return 2 * shape.inner_least * std::sin(0.5 * (shape.body->end_angle - shape.body->start_angle));
@@ -162,8 +162,8 @@ class Collector {
     for (std::size_t i = 0; i < follows.size(); ++i) faces.particle_bits[i] |= follows[i];
   }
 
-  bool has_plane(const ImagePlane& p) const {
-    return std::any_of(faces.planes.begin(), faces.planes.end(), [&](const ImagePlane& q) {
+  bool has_plane(const GhostPlane& p) const {
+    return std::any_of(faces.planes.begin(), faces.planes.end(), [&](const GhostPlane& q) {
       const double apart = std::abs(double(q.offset) - double(p.offset)) / cutoff + norm(q.normal - p.normal);
       return q.active && q.periodic == p.periodic && apart < 1e-6;
     });
@@ -192,18 +192,18 @@ class Collector {
     const RigidMap forth = periodic ? period(body.shape, low, high) : mirror(a);
     const RigidMap back =
         periodic ? RigidMap{forth.R.transpose(), -(forth.R.transpose() * forth.t)} : mirror(b);
-    ImagePlane first = make_image_plane(a, forth, periodic, at_low);
-    ImagePlane second = make_image_plane(b, back, periodic, at_high);
+    GhostPlane first = make_ghost_plane(a, forth, periodic, at_low);
+    GhostPlane second = make_ghost_plane(b, back, periodic, at_high);
     first.active = first.active && !has_plane(first);
     second.active = second.active && !has_plane(second);
     if (!first.active && !second.active) return;
-    if (faces.planes.size() + 2 > max_image_planes)
+    if (faces.planes.size() + 2 > max_ghost_planes)
       reject(
           deck, *body.deck, key,
           fmt::format(
               "is one face too many: expected at most {} pairs of periodic or symmetric planes. Let bodies "
               "share their planes",
-              max_image_planes / 2));
+              max_ghost_planes / 2));
     faces.planes.push_back(first), faces.planes.push_back(second);
   }
 
@@ -277,7 +277,7 @@ class Collector {
   void check_all_inside() const {
     for (const FilledBody& body : bodies)
       for (const Point& x : body.points.position)
-        for (const ImagePlane& p : faces.planes)
+        for (const GhostPlane& p : faces.planes)
           if (p.active && double(dot(p.normal, to_vector3(x))) < double(p.offset))
             reject(deck, *body.deck, "origin",
                    fmt::format(

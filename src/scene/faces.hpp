@@ -13,7 +13,7 @@ struct Faces {
   std::vector<HeatedFace> heated;
   std::vector<unsigned> heated_bits;                     // of particles: bit b: row b of heated
   std::vector<std::pair<int, std::string>> heated_hexes; // of each row of heated: body, and face of it
-  std::vector<ImagePlane> planes;                        // of particles
+  std::vector<GhostPlane> planes;                        // of particles
   std::vector<Transform> transforms;                     // of nodes: from the master's place to the slave's
   std::vector<std::array<int, 3>> coupled_nodes;         // master, slave, transform
 };

@@ -140,7 +140,7 @@ HeldRows make_held_rows(const Faces& faces) {
           IndexField("held_rows.row", rows)};
 }
 
-// Particles sharing a plane's images need the largest support of all.
+// Particles sharing a plane's ghosts need the largest support of all.
 double largest_smoothing_length(const Deck& deck, const std::vector<FilledBody>& bodies) {
   double largest = 0;
   for (const FilledBody& b : bodies)
@@ -265,7 +265,7 @@ Scene build_scene(const Deck& deck) {
   scene.tie.row = upload<IndexField>("tie.row", scene.tie.count,
                                      [&](auto& f, int k) { f(k) = scene.particles.count + k; });
   set_stress_shares(scene.hexes, stress_shares(bodies, scene.cutoff));
-  scene.image_planes = faces.planes;
+  scene.ghost_planes = faces.planes;
   scene.node_transforms = upload<TransformTable>("node_transforms", int(faces.transforms.size()),
                                                  [&](auto& f, int t) { f(t) = faces.transforms[t]; });
   scene.constraints = upload<ConstraintTable>("constraints", int(faces.constraints.size()),

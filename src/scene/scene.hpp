@@ -16,14 +16,14 @@ namespace swarf {
 struct HexConversion;
 struct ConversionLayout;
 
-// Everything that the step works on. Particles are allocated for count + tied rows; images come later.
+// Everything that the step works on. Particles are allocated for count + tied rows; ghosts come later.
 struct Scene {
   MaterialTable materials; // rows in the order of deck.materials
   Particles particles;     // particles.body: row of deck.bodies
   HexMesh hexes;           // all bodies of hexes in one mesh
   IndexField hex_body;     // row of deck.bodies
   Tie tie;
-  std::vector<ImagePlane> image_planes; // host; even count, at most max_image_planes
+  std::vector<GhostPlane> ghost_planes; // host; even count, at most max_ghost_planes
   TransformTable node_transforms;       // of hexes.coupled_nodes
   ConstraintTable constraints;
   HeldRows held_rows;

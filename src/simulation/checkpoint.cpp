@@ -17,7 +17,7 @@ bool is_kept(Life life, const Deck& deck) {
   return life == Life::history || (life == Life::pair && deck.sleep.distance);
 }
 
-// Rows that a checkpoint keeps: images are made again.
+// Rows that a checkpoint keeps: ghosts are made again.
 template <class Field>
 Field first_rows(const Field& field, int rows) {
   if (int(field.extent(0)) <= rows) return field;
@@ -180,7 +180,7 @@ void Simulation::read_state(const CheckpointReader& in) {
   in.get("lists/build_position", built, std::uint64_t(p.stored));
   in.require(is_finite(built), "lists/build_position");
   Kokkos::deep_copy(p.position, built);
-  make_images(p, lists, model.image_planes);
+  make_ghosts(p, lists, model.ghost_planes);
   find_neighbors(lists, p);
   release_freed_memory();
   VectorField current;

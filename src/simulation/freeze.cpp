@@ -27,9 +27,9 @@ bool are_equal(const Transform& a, const Transform& b, double cell) {
 // make of the images of the pairs before. Particles and nodes may have the same pair.
 std::vector<Transform> image_maps(const Scene& scene) {
   std::vector<std::vector<Transform>> pairs;
-  for (std::size_t k = 0; k < scene.image_planes.size(); ++k) {
+  for (std::size_t k = 0; k < scene.ghost_planes.size(); ++k) {
     if (k % 2 == 0) pairs.emplace_back();
-    if (scene.image_planes[k].active) pairs.back().push_back(scene.image_planes[k].to_image);
+    if (scene.ghost_planes[k].active) pairs.back().push_back(scene.ghost_planes[k].to_ghost);
   }
   const double cell = scene.spacing > 0 ? scene.spacing : scene.hex_diagonal;
   const auto of_nodes = host_copy(scene.node_transforms);

@@ -54,7 +54,7 @@ void Simulation::step() {
   if (conversion_due) convert();
   if (freeze_due) freeze();
   if (lists_due) rebuild_lists();
-  follow_hexes_and_images();
+  follow_hexes_and_ghosts();
   update_rates_and_stresses();
   if (deck.particles.pressure_diffusion > 0) smooth_pressure();
   compute_forces();
@@ -91,29 +91,29 @@ bool Simulation::shift_is_due() {
 
 // With the lists of where particles were; they are made anew at once, so that no look ahead counts shifts.
 void Simulation::shift() {
-  follow_hexes_and_images();
-  const Shifts found = find_shifts(model.particles, lists, model.image_planes, particle_method);
-  transport_fields(model.particles, lists, model.image_planes, model.materials, found, Real(mass_factor));
+  follow_hexes_and_ghosts();
+  const Shifts found = find_shifts(model.particles, lists, model.ghost_planes, particle_method);
+  transport_fields(model.particles, lists, model.ghost_planes, model.materials, found, Real(mass_factor));
   lists_due = lists_due || found.clusters() > 0;
   timer.mark("shifting");
 }
 
 void Simulation::rebuild_lists() {
-  wrap_periodic(model.particles, model.image_planes, status);
+  wrap_periodic(model.particles, model.ghost_planes, status);
   sort_particles(model.particles, model.lattice);
   find_held_rows(model.held_rows, model.particles);
   project_tie(model.tie, model.particles, model.hexes);
-  make_images(model.particles, lists, model.image_planes);
+  make_ghosts(model.particles, lists, model.ghost_planes);
   find_neighbors(lists, model.particles);
   lists_due = false;
   ++rebuild_count;
   timer.mark("neighbours");
 }
 
-void Simulation::follow_hexes_and_images() {
+void Simulation::follow_hexes_and_ghosts() {
   project_tie(model.tie, model.particles, model.hexes);
-  update_images(model.particles, lists, model.image_planes);
-  timer.mark("tie and images");
+  update_ghosts(model.particles, lists, model.ghost_planes);
+  timer.mark("tie and ghosts");
 }
 
 void Simulation::update_rates_and_stresses() {
@@ -122,7 +122,7 @@ void Simulation::update_rates_and_stresses() {
     reference_gradient(model.particles, lists);
   else
     velocity_gradient(model.particles, lists, particle_method);
-  if (has_surfaces()) correct_surface(model.particles, lists, model.image_planes);
+  if (has_surfaces()) correct_surface(model.particles, lists, model.ghost_planes);
   timer.mark("velocity gradient");
   hex_velocity_gradient(model.hexes, hex_status);
   timer.mark("hexes");
@@ -140,7 +140,7 @@ void Simulation::smooth_pressure() {
   const double delta = deck.particles.pressure_diffusion;
   if (6 * delta * (pressure_time + step_size) <= 0.2 * particle_step) return;
   diffuse_pressure(
-      model.particles, lists, model.image_planes, model.materials,
+      model.particles, lists, model.ghost_planes, model.materials,
       {Real(delta), Real(pressure_time), Real(step_size), deck.particles.density != "summation"});
   pressure_time = 0;
   timer.mark("pressure");
@@ -150,18 +150,18 @@ void Simulation::compute_forces() {
   const Real dt = Real(step_size);
   if (deck.particles.hourglass_stiffness > 0 && !particle_method.initial_frame)
     evolve_hourglass(model.particles, model.materials, dt);
-  if (has_surfaces()) surface_stress(model.particles, lists, model.image_planes);
+  if (has_surfaces()) surface_stress(model.particles, lists, model.ghost_planes);
   if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles);
   prepare_pair_state(model.particles, model.materials, particle_method);
-  update_image_state(model.particles, lists, model.image_planes);
-  timer.mark("tie and images");
+  update_ghost_state(model.particles, lists, model.ghost_planes);
+  timer.mark("tie and ghosts");
   particle_forces(model.particles, lists, particle_method, dt);
   timer.mark("particle forces");
   hex_forces(model.hexes, model.materials, hex_method, dt);
   gather_corner_forces(model.hexes);
   timer.mark("hexes");
   gather_tie_forces(model.tie, model.particles, model.hexes);
-  timer.mark("tie and images");
+  timer.mark("tie and ghosts");
 }
 
 void Simulation::press_tool() {
@@ -203,7 +203,7 @@ void Simulation::conduct() {
   const int parts = int(std::ceil(heat_time / heat_step));
   const Real dt = Real(heat_time / parts);
   for (int k = 0; k < parts; ++k) {
-    conduct_heat(model.particles, lists, model.image_planes, model.materials, dt);
+    conduct_heat(model.particles, lists, model.ghost_planes, model.materials, dt);
     heat_faces(model.particles, model.heated_faces, model.materials, dt);
     hex_heat(model.hexes, model.materials, dt);
     gather_heat(model.tie, model.particles, model.hexes, model.materials);

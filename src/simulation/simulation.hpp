@@ -72,7 +72,7 @@ class Simulation {
   bool shift_is_due();
   void shift(); // particles of flowing material back into an even order
   void rebuild_lists();
-  void follow_hexes_and_images();
+  void follow_hexes_and_ghosts();
   void update_rates_and_stresses();
   void smooth_pressure();
   void compute_forces();
@@ -151,7 +151,7 @@ double elastic_scale_of(const MaterialPoints&,
 unsigned long long value_of(const Status&);    // on the host
 void release_freed_memory();
 // Views of the fields that Newton's law moves, and that the tool touches. Made anew in each step: fields move
-// when images need room.
+// when ghosts need room.
 Motion motion_of(const Particles&);
 Motion motion_of(const HexMesh&);
 ContactPoints contact_points_of(const Particles&);

@@ -120,7 +120,7 @@ void Simulation::start() {
   rebuild_lists();
   release_freed_memory();
   step_size = 0; // rates and forces of the initial state; nothing moves, no history is made
-  follow_hexes_and_images();
+  follow_hexes_and_ghosts();
   update_rates_and_stresses();
   compute_forces();
   // The penalty stays as it is when the step changes, and does not wait for points that come or thaw.
@@ -139,7 +139,7 @@ void Simulation::freeze_at_start() {
   kick_half(); // over no time: driven faces take up their speed, and stay active
   freeze();
   rebuild_lists();
-  follow_hexes_and_images();
+  follow_hexes_and_ghosts();
   update_rates_and_stresses();
   compute_forces();
 }

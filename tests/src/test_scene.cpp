@@ -188,12 +188,12 @@ TEST(Scene, Faces) {
         EXPECT_FALSE(held); // particles see a mirror
       }
     }
-  ASSERT_EQ(scene.image_planes.size(), 2u);
-  const ImagePlane& mirror = scene.image_planes[1];
-  EXPECT_FALSE(scene.image_planes[0].active);
+  ASSERT_EQ(scene.ghost_planes.size(), 2u);
+  const GhostPlane& mirror = scene.ghost_planes[1];
+  EXPECT_FALSE(scene.ghost_planes[0].active);
   ASSERT_TRUE(mirror.active);
   EXPECT_FALSE(mirror.periodic);
-  const Vector3 image = apply(mirror.to_image, Vector3{Real(1e-3), Real(2e-3), Real(1e-3)});
+  const Vector3 image = apply(mirror.to_ghost, Vector3{Real(1e-3), Real(2e-3), Real(1e-3)});
   EXPECT_NEAR(image.x, 1e-3, 1e-9);
   EXPECT_NEAR(image.z, 3e-3, 1e-9);
 }
@@ -250,7 +250,7 @@ TEST(Scene, PeriodicSector) {
     for (const char* face : {"start", "end", "bottom", "top"}) b.faces.push_back({face, "periodic", {}});
   }
   const Scene scene = build_scene(deck);
-  EXPECT_EQ(scene.image_planes.size(), 4u);
+  EXPECT_EQ(scene.ghost_planes.size(), 4u);
   const HexMesh& m = scene.hexes;
   const auto couples = host_copy(m.coupled_nodes);
   const auto maps = host_copy(scene.node_transforms);
@@ -264,7 +264,7 @@ TEST(Scene, PeriodicSector) {
   }
   const double section = 0.5 * (16e-6 - 9e-6) * 4 * std::sin(15 * degree); // four straight-edged cells around
   EXPECT_NEAR(node_mass(scene) / (4430 * section * 1e-3), 1, round_off);
-  for (const ImagePlane& p : scene.image_planes) EXPECT_TRUE(p.active && p.periodic);
+  for (const GhostPlane& p : scene.ghost_planes) EXPECT_TRUE(p.active && p.periodic);
 }
 
 // Lateral surface and ends of a cylinder; none of it on a symmetric plane.

@@ -42,9 +42,9 @@ Step prepare(const Deck& deck) {
   s.method.spacing_ratio = 1 / Real(deck.particles.smoothing_ratio);
   sort_particles(s.scene.particles, s.scene.lattice);
   project_tie(s.scene.tie, s.scene.particles, s.scene.hexes);
-  make_images(s.scene.particles, s.lists, s.scene.image_planes);
+  make_ghosts(s.scene.particles, s.lists, s.scene.ghost_planes);
   find_neighbors(s.lists, s.scene.particles);
-  update_images(s.scene.particles, s.lists, s.scene.image_planes);
+  update_ghosts(s.scene.particles, s.lists, s.scene.ghost_planes);
   return s;
 }
 
@@ -62,7 +62,7 @@ void compute_forces(Step& s) {
   velocity_gradient(c.particles, s.lists, s.method);
   hex_velocity_gradient(c.hexes, status);
   prepare_pair_state(c.particles, c.materials, s.method);
-  update_image_state(c.particles, s.lists, c.image_planes);
+  update_ghost_state(c.particles, s.lists, c.ghost_planes);
   particle_forces(c.particles, s.lists, s.method, Real(0));
   hex_forces(c.hexes, c.materials, s.hex_method, Real(0));
   gather_corner_forces(c.hexes);
@@ -91,7 +91,7 @@ std::vector<double> gradient_errors(Step& s, double v0, const std::array<double,
     Kokkos::deep_copy(v, hv);
   }
   project_tie(s.scene.tie, p, s.scene.hexes);
-  update_images(p, s.lists, s.scene.image_planes);
+  update_ghosts(p, s.lists, s.scene.ghost_planes);
   velocity_gradient(p, s.lists, s.method);
   const auto L = host_copy(p.points.velocity_gradient);
   std::vector<double> errors;
@@ -278,7 +278,7 @@ TEST(TieScene, MomentumIsConserved) {
   }
 }
 
-// The same with periodic sides, across which there are images and coupled nodes.
+// The same with periodic sides, across which there are ghosts and coupled nodes.
 TEST(TieScene, MomentumIsConservedInAPeriodicScene) {
   Step s = prepare(two_layers(2));
   set_random(s.scene.particles.points.stress, 1e9, 5), set_random(s.scene.hexes.points.stress, 1e9, 6);

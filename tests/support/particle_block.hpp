@@ -78,11 +78,11 @@ inline ParticleBlock particle_block(int nx, int ny, int nz, Real spacing, Real d
   return b;
 }
 
-inline void build_lists(ParticleBlock& b, const ImagePlanes& planes = {}) {
+inline void build_lists(ParticleBlock& b, const GhostPlanes& planes = {}) {
   sort_particles(b.particles, b.lattice);
-  make_images(b.particles, b.neighbors, planes);
+  make_ghosts(b.particles, b.neighbors, planes);
   find_neighbors(b.neighbors, b.particles);
-  update_images(b.particles, b.neighbors, planes);
+  update_ghosts(b.particles, b.neighbors, planes);
 }
 
 } // namespace swarf::test

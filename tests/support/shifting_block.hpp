@@ -25,7 +25,7 @@ inline ParticleBlock flowing_block(int nx, int ny, int nz, Real disorder, Real s
   return b;
 }
 
-inline ImagePlanes periodic_along(int axis, Real length) {
+inline GhostPlanes periodic_along(int axis, Real length) {
   const Vector3 n{Real(axis == 0), Real(axis == 1), Real(axis == 2)};
   return {{n, 0, {identity3(), length * n}, true, true},
           {Real(-1) * n, -length, {identity3(), (-length) * n}, true, true}};
@@ -59,8 +59,8 @@ inline std::vector<Vector3> by_identity(const ParticleBlock& b, const VectorFiel
 }
 
 // Finds, shifts and transports, on the lists as they are.
-inline Shifts shift_once(const ParticleBlock& b, const ImagePlanes& planes = {}, Real mass_factor = 1) {
-  update_images(b.particles, b.neighbors, planes);
+inline Shifts shift_once(const ParticleBlock& b, const GhostPlanes& planes = {}, Real mass_factor = 1) {
+  update_ghosts(b.particles, b.neighbors, planes);
   const Shifts shifts = find_shifts(b.particles, b.neighbors, planes, b.method);
   transport_fields(b.particles, b.neighbors, planes, b.materials, shifts, mass_factor);
   return shifts;

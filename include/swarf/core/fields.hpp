@@ -1,7 +1,7 @@
 // What the tables of fields (material.hpp, particles.hpp, hex_mesh.hpp) say of a field. A row is
 //   visit("name", field, Facts<named...>());
 // with facts of the kinds below in any order; of a kind that is not named, the first one holds. Allocation,
-// sorting, freezing, checkpoints, images, periodic wraps and conversion follow from the rows.
+// sorting, freezing, checkpoints, ghosts, periodic wraps and conversion follow from the rows.
 #pragma once
 #include "swarf/core/transform.hpp"
 #include <type_traits>
@@ -24,8 +24,8 @@ enum class Life {
   history, // of the row for good: goes where it goes, and into checkpoints
 };
 
-// When images take it from the row that they are images of. More than one may be named.
-enum class Images {
+// When ghosts take it from the row that they are ghosts of. More than one may be named.
+enum class Ghosts {
   when_made,
   after_drift,
   before_forces,
@@ -78,9 +78,9 @@ struct Facts {
   static constexpr Method method = fact_of<Method, named...>();
   static constexpr Per per = fact_of<Per, named...>();
   static constexpr Shifting shifting = fact_of<Shifting, named...>();
-  static constexpr bool on_images = (std::is_same_v<decltype(named), Images> || ...);
-  static constexpr bool on_images_at(Images when) {
-    return ((std::is_same_v<decltype(named), Images> && int(named) == int(when)) || ...);
+  static constexpr bool on_ghosts = (std::is_same_v<decltype(named), Ghosts> || ...);
+  static constexpr bool on_ghosts_at(Ghosts when) {
+    return ((std::is_same_v<decltype(named), Ghosts> && int(named) == int(when)) || ...);
   }
 };
 

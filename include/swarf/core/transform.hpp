@@ -1,4 +1,4 @@
-// Rigid maps of periodic and mirror images, and the velocity constraints of faces.
+// Rigid maps of periodic and mirror planes, and the velocity constraints of faces.
 #pragma once
 #include "swarf/region/freeze.hpp"
 
@@ -19,14 +19,14 @@ SWARF_FN Transform compose(const Transform& last, const Transform& first) { // x
 }
 using TransformTable = View<Transform*>;
 
-// Half space n.x - offset >= 0 in which the body lies; a particle closer than the cutoff has an image.
+// Half space n.x - offset >= 0 in which the body lies; a particle closer than the cutoff has a ghost.
 // Planes 2k and 2k + 1 are the two sides of one periodic pair, or two mirrors of opposite faces; a plane
-// makes images of particles, of tied particles and of the images that planes of earlier pairs made.
-inline constexpr int max_image_planes = 8;
-struct ImagePlane {
+// makes ghosts of particles, of tied particles and of the ghosts that planes of earlier pairs made.
+inline constexpr int max_ghost_planes = 8;
+struct GhostPlane {
   Vector3 normal;
   Real offset;
-  Transform to_image;
+  Transform to_ghost;
   bool periodic; // a particle that leaves through the plane comes back through its partner
   bool active;   // false: the missing partner of a single mirror
 };

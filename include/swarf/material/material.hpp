@@ -64,7 +64,7 @@ struct MaterialPoints {
   SWARF_FN static void list_fields(Self& p, const Visit& visit) {
     using enum Frame;
     using enum Life;
-    using enum Images;
+    using enum Ghosts;
     using enum Method;
     using enum Shifting;
     visit("material", p.material, Facts<history, in_find_shifts>());

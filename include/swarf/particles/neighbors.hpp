@@ -24,11 +24,11 @@ struct Neighbors {
   Real cutoff = 0;            // m, support + skin
   Real skin = 0;              // m
 
-  // Images: row image_first + k copies row image_source(k); those of plane p are
-  // image_start[p] <= k < image_start[p + 1].
-  int image_first = 0, images = 0, planes = 0;
-  int image_start[max_image_planes + 1] = {};
-  IndexField image_source;
+  // Ghosts: row ghost_first + k copies row ghost_source(k); those of plane p are
+  // ghost_start[p] <= k < ghost_start[p + 1].
+  int ghost_first = 0, ghosts = 0, planes = 0;
+  int ghost_start[max_ghost_planes + 1] = {};
+  IndexField ghost_source;
 
   SWARF_FN long first_word(int c) const { return start(c) / entries_of_word + c; }
 };

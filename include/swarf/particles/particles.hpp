@@ -9,7 +9,7 @@ namespace swarf {
 //                       [count, count + tied)   tied particles: they live inside hexes and move with them
 //                       [count + tied, listed)  frozen, of both kinds (freeze.hpp): neighbours only
 //                       [listed, stored)        frozen, far from all that moves: in no list
-//                       [stored, total)         images of the rows before, across periodic and mirror planes
+//                       [stored, total)         ghosts of the rows before, across periodic and mirror planes
 // Only rows [0, count) are integrated in time. Sorted in space at every neighbour rebuild.
 struct Particles {
   MaterialPoints points; // points.count == count + tied
@@ -74,7 +74,7 @@ struct Particles {
   SWARF_FN static void list_fields(Self& p, const Visit& visit) {
     using enum Frame;
     using enum Life;
-    using enum Images;
+    using enum Ghosts;
     using enum Method;
     using enum Shifting;
     for_each_field(p.points, visit);

@@ -4,7 +4,7 @@
 namespace swarf::test {
 namespace {
 
-ImagePlanes periodic(int axis, Real length) {
+GhostPlanes periodic(int axis, Real length) {
   const Vector3 n{Real(axis == 0), Real(axis == 1), Real(axis == 2)};
   return {{n, 0, {identity3(), length * n}, true, true},
           {Real(-1) * n, -length, {identity3(), (-length) * n}, true, true}};
@@ -12,19 +12,19 @@ ImagePlanes periodic(int axis, Real length) {
 
 // Constant stress in a slice, periodic along z: planes of constant x and y far from the surface feel no
 // force, and no particle feels one along z.
-TEST(MakeImages, PeriodicSliceUnderConstantStressFeelsNoForceAlongItsAxis) {
+TEST(MakeGhosts, PeriodicSliceUnderConstantStressFeelsNoForceAlongItsAxis) {
   const Real s = Real(1e-3);
   ParticleBlock b = particle_block(7, 7, 4, s);
   const auto stress = host_copy(b.particles.points.stress);
   for (int i = 0; i < b.particles.count; ++i)
     for (int c = 0; c < 6; ++c) stress(i, c) = Real(1e8) * Real(c + 1);
   Kokkos::deep_copy(b.particles.points.stress, stress);
-  const ImagePlanes planes = periodic(2, 4 * s);
+  const GhostPlanes planes = periodic(2, 4 * s);
   build_lists(b, planes);
   b.method.correction = false; // K of a free surface would mix normal and shear stress
   velocity_gradient(b.particles, b.neighbors, b.method);
   prepare_pair_state(b.particles, b.materials, b.method);
-  update_image_state(b.particles, b.neighbors, planes);
+  update_ghost_state(b.particles, b.neighbors, planes);
   particle_forces(b.particles, b.neighbors, b.method, Real(1));
   const auto f = host_copy(b.particles.force), x = host_copy(b.particles.position);
   const Real scale = Real(1e8) * s * s;
@@ -35,20 +35,20 @@ TEST(MakeImages, PeriodicSliceUnderConstantStressFeelsNoForceAlongItsAxis) {
   }
 }
 
-// v_z = 0 on a mirror plane: the image's velocity is the mirrored one, so a field odd in z is continued.
-TEST(MakeImages, MirrorContinuesAnOddField) {
+// v_z = 0 on a mirror plane: the ghost's velocity is the mirrored one, so a field odd in z is continued.
+TEST(MakeGhosts, MirrorContinuesAnOddField) {
   const Real s = Real(1e-3);
   ParticleBlock b = particle_block(7, 7, 7, s);
   const Transform mirror{{1, 0, 0, 0, 1, 0, 0, 0, -1}, {0, 0, 0}};
-  const ImagePlanes planes = {{{0, 0, 1}, 0, mirror, false, true}, {{0, 0, 1}, 0, mirror, false, false}};
+  const GhostPlanes planes = {{{0, 0, 1}, 0, mirror, false, true}, {{0, 0, 1}, 0, mirror, false, false}};
   const auto v = host_copy(b.particles.velocity), x = host_copy(b.particles.position);
   for (int i = 0; i < b.particles.count; ++i) v(i, 2) = 5 * x(i, 2);
   Kokkos::deep_copy(b.particles.velocity, v);
   b.method.correction = false;
   build_lists(b, planes);
-  EXPECT_EQ(b.neighbors.images, 7 * 7 * 3);
+  EXPECT_EQ(b.neighbors.ghosts, 7 * 7 * 3);
   EXPECT_LE(int(b.particles.pair_stress.extent(0)),
-            b.particles.total + b.neighbors.images / 8); // no more room
+            b.particles.total + b.neighbors.ghosts / 8); // no more room
   velocity_gradient(b.particles, b.neighbors, b.method);
   const auto L = host_copy(b.particles.points.velocity_gradient);
   const auto place = host_copy(b.particles.position);
@@ -63,13 +63,13 @@ TEST(MakeImages, MirrorContinuesAnOddField) {
               1e-4); // the surface sees what the middle sees
 }
 
-// The images of a disordered periodic block carry the momentum balance.
-TEST(MakeImages, PeriodicForcesConserveMomentum) {
+// The ghosts of a disordered periodic block carry the momentum balance.
+TEST(MakeGhosts, PeriodicForcesConserveMomentum) {
   const Real s = Real(1e-3);
   ParticleBlock b = particle_block(6, 6, 6, s, Real(0.1));
-  ImagePlanes planes;
+  GhostPlanes planes;
   for (int axis = 0; axis < 3; ++axis)
-    for (const ImagePlane& p : periodic(axis, 6 * s)) planes.push_back(p);
+    for (const GhostPlane& p : periodic(axis, 6 * s)) planes.push_back(p);
   const auto stress = host_copy(b.particles.points.stress);
   std::mt19937_64 random(5);
   std::uniform_real_distribution<Real> u(-1, 1);
@@ -82,7 +82,7 @@ TEST(MakeImages, PeriodicForcesConserveMomentum) {
   build_lists(b, planes);
   velocity_gradient(b.particles, b.neighbors, b.method);
   prepare_pair_state(b.particles, b.materials, b.method);
-  update_image_state(b.particles, b.neighbors, planes);
+  update_ghost_state(b.particles, b.neighbors, planes);
   particle_forces(b.particles, b.neighbors, b.method, Real(1));
   const auto f = host_copy(b.particles.force);
   Vector3 sum{0, 0, 0};
@@ -94,7 +94,7 @@ TEST(MakeImages, PeriodicForcesConserveMomentum) {
 }
 
 // A quarter of a ring: what leaves through x = 0 comes back through y = 0, turned by -90 degrees.
-const ImagePlane quarter{{1, 0, 0}, 0, {{0, 1, 0, -1, 0, 0, 0, 0, 1}, {0, 0, 0}}, true, true};
+const GhostPlane quarter{{1, 0, 0}, 0, {{0, 1, 0, -1, 0, 0, 0, 0, 1}, {0, 0, 0}}, true, true};
 
 TEST(WrapPeriodic, TurnsAllThatHasADirection) {
   ParticleBlock b = particle_block(2, 1, 1, Real(1e-3));
