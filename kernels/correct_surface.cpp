@@ -16,7 +16,7 @@
 // lack; writes velocity_gradient, deformation_gradient, K, surface_shift and edge_normal, rows [0, count);
 // surface_term is its own.
 #include "copy_to_ghosts.hpp"
-#include "correction.hpp"
+#include "store_correction.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/surface.hpp"
 

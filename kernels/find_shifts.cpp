@@ -5,7 +5,7 @@
 // equivalent_plastic_strain, shifted_strain, contact_force, friction_force, constraints, surface_normal.
 #include "cell_order.hpp"
 #include "copy_to_ghosts.hpp"
-#include "correction.hpp"
+#include "swarf/particles/correction.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/shifting.hpp"
 
@@ -93,7 +93,7 @@ Shifts find_shifts(const Particles& p, const Neighbors& n, const GhostPlanes& pl
           const Shift shift = shift_of(
               sums, {p.smoothing_length(i), Kokkos::cbrt(p.volume(i)), allowed_shift(p, i), pressed});
           store_vector(found.displacement, slot, shift.displacement);
-          store_vector(found.corrected, slot, multiply(correction_from(to_tensor(A)), shift.displacement));
+          store_vector(found.corrected, slot, multiply(correction_from(A).K, shift.displacement));
           store_vector(found.normal, slot, shift.normal);
         }
       });

@@ -7,7 +7,7 @@
 // Reads position, velocity, volume (V0), inverse_support, build_position (X). Writes velocity_gradient, the
 // correction to pair_stress and heat_shape, deformation_gradient, how far neighbours lack to surface_shift,
 // rows [0, count + tied), and marks. Where J <= 0 the density becomes negative: update_stress reports it.
-#include "correction.hpp"
+#include "store_correction.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/surface.hpp"
 
@@ -60,9 +60,9 @@ void reference_gradient(const Particles& p, const Neighbors& n) {
         const ReferenceSums s = sum_neighbors(p, n, cluster, lanes);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
-          const Tensor3 A = to_tensor(lane_of(s.A, lane)), K0 = correction_from(A);
-          if (surfaces)
-            p.surface_shift(i, 0) = i < p.count && is_inverse(K0, A) ? lacking_neighbors(A) : Real(0);
+          const Symmetric3 A = lane_of(s.A, lane);
+          const auto [K0, exact] = correction_from(A);
+          if (surfaces) p.surface_shift(i, 0) = i < p.count && exact ? lacking_neighbors(A) : Real(0);
           const Tensor3 F = identity3() + multiply(lane_of(s.displacement, lane), K0);
           const Real J = determinant(F);
           const Tensor3 inverse_F = inverse(F, J);

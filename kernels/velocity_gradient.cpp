@@ -3,7 +3,7 @@
 // Reads position, velocity, volume, inverse_support. Writes velocity_gradient, K to pair_stress and
 // heat_shape, how far neighbours lack to surface_shift (tied particles have no surface), rows [0, count +
 // tied), and the lists' marks.
-#include "correction.hpp"
+#include "store_correction.hpp"
 #include "swarf/particles/pair.hpp"
 #include "swarf/particles/surface.hpp"
 
@@ -77,12 +77,11 @@ void velocity_gradient(const Particles& p, const Neighbors& n, const ParticleMet
         const GradientSums s = sum_neighbors(p, n, cluster, lanes);
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
-          const Tensor3 A = to_tensor(lane_of(s.A, lane));
-          const Tensor3 K = correct ? correction_from(A) : identity3();
-          store_correction(p, i, K);
-          if (surfaces)
-            p.surface_shift(i, 0) = i < p.count && is_inverse(K, A) ? lacking_neighbors(A) : Real(0);
-          store_tensor(p.points.velocity_gradient, i, multiply(lane_of(s.L, lane), K));
+          const Symmetric3 A = lane_of(s.A, lane);
+          const Correction at = correct ? correction_from(A) : Correction{identity3(), false};
+          store_correction(p, i, at.K);
+          if (surfaces) p.surface_shift(i, 0) = i < p.count && at.exact ? lacking_neighbors(A) : Real(0);
+          store_tensor(p.points.velocity_gradient, i, multiply(lane_of(s.L, lane), at.K));
         }
       });
 }

@@ -7,8 +7,8 @@ namespace swarf {
 // Whether neighbours lack, 0 to 1: from the mean of sum_j w x x, on cubic lattices of h = 1.2 spacings 0.98
 // inside, 0.97 one row below a face, 0.68 in it, 0.47 in an edge and 0.31 in a corner, where no derivative is
 // along the surface.
-SWARF_FN Real lacking_neighbors(const Tensor3& A) {
-  const Real mean = (A.xx + A.yy + A.zz) / Real(3);
+SWARF_FN Real lacking_neighbors(const Symmetric3& A) {
+  const Real mean = trace(A) / Real(3);
   return Kokkos::clamp((Real(0.9) - mean) / Real(0.1), Real(0), Real(1)) *
          Kokkos::clamp((mean - Real(0.35)) / Real(0.1), Real(0), Real(1));
 }
