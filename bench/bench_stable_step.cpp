@@ -8,7 +8,7 @@ namespace {
 void bench_stable_step(benchmark::State& state) {
   const ParticleCube& c = particle_cube(state.range(0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(stable_step(c.particles, c.neighbors, c.materials, c.method).dt);
+    benchmark::DoNotOptimize(stable_step(c.particles, c.neighbors, c.materials, {c.method, 1}).dt);
   report(state, c.count(), {39, 10.0 * sizeof(Real) + sizeof(int)});
 }
 BENCHMARK(bench_stable_step)->Name("stable_step")->Apply(all_sizes);

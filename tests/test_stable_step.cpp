@@ -17,7 +17,8 @@ HexMethod bare_hexes(Real mass_factor) {
   return method;
 }
 
-// h sqrt(mass factor) / c of the finest particle, and how far the two farthest ones have moved together.
+// Of waves, or 2 h sqrt(mass factor) / (1.61 alpha c) of the finest particle where its viscosity asks less;
+// and how far the two farthest ones have moved together.
 TEST(StableStep, OfTheFinestParticle) {
   ParticleBlock b = particle_block(6, 5, 4, Real(1e-3));
   build_lists(b);
@@ -28,13 +29,16 @@ TEST(StableStep, OfTheFinestParticle) {
   x(5, 1) += Real(3e-5), x(5, 2) -= Real(4e-5), x(9, 0) += Real(2e-5), x(30, 0) -= Real(1e-5);
   Kokkos::deep_copy(b.particles.position, x);
   b.method.mass_factor = 100;
-  const StableStep step = stable_step(b.particles, b.neighbors, b.materials, b.method);
-  EXPECT_NEAR(double(step.dt) / (0.7e-3 * 10 / wave_speed), 1, round_off);
+  b.method.viscosity_linear = 5;
+  const StableStep step = stable_step(b.particles, b.neighbors, b.materials, {b.method, 1});
+  EXPECT_NEAR(double(step.dt) / (2 / (1.61 * 5) * 0.7e-3 * 10 / wave_speed), 1, round_off);
   EXPECT_EQ(step.limiter, 17);
+  const Real shorter = Real(0.9) * step.dt;
+  EXPECT_EQ(stable_step(b.particles, b.neighbors, b.materials, {b.method, shorter}).dt, shorter);
   EXPECT_NEAR(double(step.approach) / 7e-5, 1, 1e3 * round_off);
   x(9, 0) += Real(3e-5);
   Kokkos::deep_copy(b.particles.position, x);
-  const StableStep both = stable_step(b.particles, b.neighbors, b.materials, b.method);
+  const StableStep both = stable_step(b.particles, b.neighbors, b.materials, {b.method, 1});
   EXPECT_NEAR(double(both.approach) / 10e-5, 1, 1e3 * round_off);
 }
 
@@ -44,13 +48,13 @@ TEST(StableStep, OfTheFinestParticle) {
 TEST(StableStep, OfAShearedInitialLattice) {
   ParticleBlock b = particle_block(3, 3, 3, Real(1e-3));
   build_lists(b);
-  const Real at_rest = stable_step(b.particles, b.neighbors, b.materials, b.method).dt;
+  const Real at_rest = Real(1.2e-3 / wave_speed);
   b.particles.deformation_gradient = TensorField("deformation_gradient", b.particles.count);
   const auto F = host_copy(b.particles.deformation_gradient);
   const auto fill = [&](const Tensor3& to) {
     for (int i = 0; i < b.particles.count; ++i) store_tensor(F, i, to);
     Kokkos::deep_copy(b.particles.deformation_gradient, F);
-    return double(stable_step(b.particles, b.neighbors, b.materials, b.method).dt / at_rest);
+    return double(stable_step(b.particles, b.neighbors, b.materials, {b.method, at_rest}).dt / at_rest);
   };
   EXPECT_NEAR(fill(identity3()), 1, round_off);
   EXPECT_NEAR(fill({0, -1, 0, 1, 0, 0, 0, 0, 1}), 1, round_off); // turned

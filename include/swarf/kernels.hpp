@@ -211,7 +211,21 @@ struct StableStep {
   int limiter = -1;
   Real approach = 0; // m, that two particles may have come nearer by since the lists were built
 };
-StableStep stable_step(const Particles&, const Neighbors&, const MaterialTable&, const ParticleMethod&);
+void elastic_stress(const MaterialPoints&, const MaterialTable&); // of a motion, by Hooke's law
+struct Oscillators {
+  Real mass_factor;
+  Real contact; // 1/s2, at most, of the springs between the tool and the particles that touch it
+};
+struct ModeRates {
+  Real stiffness = 0, damping = 0; // 1/s2, 1/s
+};
+// Towards the mode of the highest frequency.
+ModeRates advance_mode(const Particles&, const Oscillators&, long seed);
+struct ParticleStep {
+  const ParticleMethod& method;
+  Real of_waves; // s, from the highest mode; in the initial frame, undeformed
+};
+StableStep stable_step(const Particles&, const Neighbors&, const MaterialTable&, const ParticleStep&);
 StableStep stable_step(const HexMesh&, const MaterialTable&, const HexMethod&);
 Real stable_heat_step(const Particles&, const MaterialTable&); // s; infinite without conduction
 Real stable_heat_step(const HexMesh&, const MaterialTable&);

@@ -46,7 +46,7 @@ const Keys<ParticlesDeck>& particles_keys() {
        "particles of material that flows are moved back into an even order, and take what the fields are "
        "there; "
        "nothing elastic moves. In the current frame only"},
-      {"skin", &P::skin, D::none, Bounds{0, 1, true, false}, "0.1", always,
+      {"skin", &P::skin, D::none, Bounds{0, 2, true, false}, "0.1", always,
        "reach of the neighbour lists beyond the kernel's, over the kernel's; changes the cost only"},
   };
   return keys;
@@ -77,7 +77,7 @@ const Keys<SleepDeck>& sleep_keys() {
        "points farther than this from the active region are held, and freeze; not given: all points move"},
       {"ramp", &S::ramp, D::none, Bounds{0, 1, true, true}, "0.5", always,
        "last part of the distance, over which velocities are damped so that waves do not come back"},
-      {"speed", &S::speed, D::none, Bounds{0, 1, true, false}, "0.05", always,
+      {"speed", &S::speed, D::none, Bounds{0, 2, true, false}, "0.05", always,
        "the active region is what the tool comes near to, and what moves faster than this share of the speed "
        "of the tool (or of the fastest held face)"},
   };
@@ -103,7 +103,9 @@ const Keys<RunDeck>& run_keys() {
        "when the run ends; this or end_immersion"},
       {"end_immersion", &R::end_immersion, D::angle, Bounds{-360, 3.6e6}, optional, always,
        "immersion angle of the first tooth where the run ends; needs a spindle"},
-      {"courant", &R::courant, D::none, Bounds{0, 1, true, false}, "0.3", always, "step / (h / wave speed)"},
+      {"courant", &R::courant, D::none, Bounds{0, 1, true, false}, "0.8", always,
+       "step over the stable step: of the highest frequency of the particles, of the least crossing time of "
+       "a hex"},
       {"mass_factor", &R::mass_factor, D::none, Bounds{1, 1e8}, "1.0", always,
        "inertia is that of this many times the mass: the step grows with its root, heat and rates stay "
        "right"},

@@ -114,7 +114,8 @@ void Simulation::write_state(CheckpointWriter& out) const {
   out.put("time", now), out.put("step_size", step_size), out.put("steps", steps);
   out.put("reference_step", contact_law.reference_step), out.put("next_check", next_check),
       out.put("rebuild_count", rebuild_count);
-  out.put("particle_step", particle_step), out.put("pressure_time", pressure_time);
+  out.put("particle_step", particle_step), out.put("wave_step", wave_step),
+      out.put("pressure_time", pressure_time);
   out.put("heat_step", heat_step), out.put("heat_time", heat_time);
   out.put("shift_speed", shift_speed), out.put("way_since_shift", way_since_shift);
   out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
@@ -197,7 +198,8 @@ void Simulation::read_state(const CheckpointReader& in) {
   Kokkos::deep_copy(loads.total, load);
   in.get("time", now), in.get("step_size", step_size), in.get("steps", steps);
   in.get("next_check", next_check), in.get("rebuild_count", rebuild_count);
-  in.get("particle_step", particle_step), in.get("pressure_time", pressure_time);
+  in.get("particle_step", particle_step), in.get("wave_step", wave_step),
+      in.get("pressure_time", pressure_time);
   in.get("heat_step", heat_step), in.get("heat_time", heat_time);
   in.get("shift_speed", shift_speed), in.get("way_since_shift", way_since_shift);
   in.get("steps_at_sample", steps_at_sample), in.get("reference_step", contact_law.reference_step);
@@ -219,7 +221,8 @@ void Simulation::check_numbers(const CheckpointReader& in) const {
   in.require(steps >= 0, "steps"), in.require(rebuild_count >= 0, "rebuild_count");
   in.require(next_check >= steps && next_check <= steps + most_unseen_steps, "next_check");
   in.require(steps_at_sample >= 0 && steps_at_sample <= steps, "steps_at_sample");
-  in.require(is_time(particle_step), "particle_step"), in.require(is_time(pressure_time), "pressure_time");
+  in.require(is_time(particle_step), "particle_step"), in.require(is_time(wave_step), "wave_step"),
+      in.require(is_time(pressure_time), "pressure_time");
   in.require(is_time(shown_since) && shown_since <= now, "shown_since");
   in.require(std::isfinite(initial_tool_heat), "initial_tool_heat");
   in.require(is_time(heat_time), "heat_time"), in.require(heat_step >= 0, "heat_step");

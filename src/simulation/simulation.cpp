@@ -54,6 +54,7 @@ void Simulation::step() {
   if (conversion_due) convert();
   if (freeze_due) freeze();
   if (lists_due) rebuild_lists();
+  if (mode_is_due()) find_highest_mode(1);
   follow_hexes_and_ghosts();
   update_rates_and_stresses();
   if (deck.particles.pressure_diffusion > 0) smooth_pressure();

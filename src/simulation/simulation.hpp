@@ -96,6 +96,9 @@ class Simulation {
   bool has_surfaces() const { return model.particles.surface_shift.extent(0) > 0; }
   double shift_way() const { return model.spacing / 16; } // m, of the tool between two shifts
   StableStep limit_step();
+  static constexpr int steps_between_modes = 25, first_iterations = 40;
+  bool mode_is_due() const;
+  void find_highest_mode(int iterations); // and the step of the particles' waves from it
   HeatSums sum_heats() const;
   void book_heat(HistorySample&) const;
   void check_status();                               // throws SimulationFault
@@ -117,7 +120,8 @@ class Simulation {
   Status status, hex_status; // of particles; of hexes
   ToolLoadSums loads;
 
-  double particle_step = 0; // s: least h / c of the particles
+  double particle_step = 0; // s: stable step of the particles
+  double wave_step = 0;     // s: 2 over the highest frequency of the particles' waves
   double pressure_time = 0; // s since the last diffuse_pressure
   bool conducts = false;
   double heat_step = 0, heat_time = 0; // s: stable step of conduction; time since the last one

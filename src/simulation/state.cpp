@@ -118,6 +118,7 @@ void Simulation::start() {
   convert();
   lost_in_conversion = 0; // the run begins with what it has now
   rebuild_lists();
+  find_highest_mode(first_iterations);
   release_freed_memory();
   step_size = 0; // rates and forces of the initial state; nothing moves, no history is made
   follow_hexes_and_ghosts();
@@ -145,7 +146,8 @@ void Simulation::freeze_at_start() {
 }
 
 StableStep Simulation::limit_step() {
-  const StableStep particle_limit = stable_step(model.particles, lists, model.materials, particle_method);
+  const StableStep particle_limit =
+      stable_step(model.particles, lists, model.materials, {particle_method, Real(wave_step)});
   StableStep hex_limit = stable_step(model.hexes, model.materials, hex_method);
   particle_step = double(particle_limit.dt);
   const bool hexes_limit =

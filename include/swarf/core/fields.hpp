@@ -32,6 +32,7 @@ enum class Ghosts {
   in_diffuse_pressure,
   in_conduct_heat,
   in_find_shifts,
+  in_highest_mode,
   in_surface_gradient,
   in_surface_stress,
 };

@@ -44,6 +44,8 @@ struct Particles {
   ScalarField heat;    // J that conduction brought last, rows [0, count + tied); 0 rows without it
   ScalarField damping; // 1/s, where freezing begins (freeze.hpp), rows [0, count); 0 rows without it
 
+  VectorField highest_mode; // motion of the highest frequency, length 1 in all (advance_mode.cpp)
+
   // History that belongs to the particle.
   VectorField hourglass_rate;         // m/s, of hourglass_displacement
   ScalarField reference_summation;    // initial sum of m W (density = "summation", else 0 rows)
@@ -104,6 +106,7 @@ struct Particles {
     visit("shifted_strain", p.shifted_strain, Facts<history, with_shifting>());
     visit("shifting_work", p.shifting_work, Facts<history, with_shifting>());
     visit("reference_summation", p.reference_summation, Facts<history, with_summation>());
+    visit("highest_mode", p.highest_mode, Facts<vector, history, in_highest_mode>());
     visit("friction_force", p.friction_force, Facts<vector, history>());
     visit("contact_force", p.contact_force, Facts<vector, history>());
     visit("friction_work", p.friction_work, Facts<history>());
