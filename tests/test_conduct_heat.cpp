@@ -17,7 +17,7 @@ ParticleBlock conducting_block(int nx, int ny, int nz, Real spacing, Real disord
   Kokkos::deep_copy(b.materials, materials);
   b.particles.heat = ScalarField("heat", b.particles.count);
   b.particles.heat_shape = SymmetricField("heat_shape", b.particles.count);
-  b.particles.heat_state = View<Real* [2]>("heat_state", b.particles.count);
+  b.particles.heat_state = View<Real* [3]>("heat_state", b.particles.count);
   return b;
 }
 
@@ -81,10 +81,9 @@ double decay_ratio(int n, bool along_surface) {
   return rate / norm / (alpha * pi * pi / (L * L));
 }
 
-// A free side conducts too much along itself, by the second moment of the corrected pair sum on the
-// lattice: 4.80 % in a plate of 3 layers, 1.79 % in one of 8 (the plain sum: 15 % and 7 % too little).
-TEST(ConductHeat, CosineDecaysInABar) { EXPECT_NEAR(decay_ratio(16, false), 1.0179 * 1.0179, 0.004); }
-TEST(ConductHeat, CosineDecaysAlongAThinPlate) { EXPECT_NEAR(decay_ratio(24, true), 1.0480 * 1.0179, 0.004); }
+// Along free sides, too: those of a bar of 8 x 8 rows, of a plate of 3 x 8.
+TEST(ConductHeat, CosineDecaysInABar) { EXPECT_NEAR(decay_ratio(16, false), 1, 0.004); }
+TEST(ConductHeat, CosineDecaysAlongAThinPlate) { EXPECT_NEAR(decay_ratio(24, true), 1, 0.004); }
 
 // Periodic ghosts: a cosine of the period decays as in an endless body, at alpha (2 pi / L)^2.
 TEST(ConductHeat, PassesThroughPeriodicGhosts) {

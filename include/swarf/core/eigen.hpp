@@ -4,6 +4,17 @@
 
 namespace swarf {
 
+// Largest eigenvalue in closed form (Smith 1961).
+SWARF_FN Real largest_eigenvalue(const Symmetric3& a) {
+  const Real mean = trace(a) / Real(3);
+  const Symmetric3 dev = deviator(a);
+  const Real p = Kokkos::sqrt(contract(dev, dev) / Real(6));
+  if (!(p > Real(0))) return mean;
+  const Real r = Real(0.5) * determinant(to_tensor((Real(1) / p) * dev));
+  const Real cosine = Kokkos::min(Kokkos::max(r, Real(-1)), Real(1)); // |r| <= 1 but for round-off
+  return mean + Real(2) * p * Kokkos::cos(Kokkos::acos(cosine) / Real(3));
+}
+
 struct Eigen3 {
   Real value[3];
   Vector3 vector[3]; // unit, at right angles

@@ -1,6 +1,7 @@
 // The 8-node hexahedron with one integration point (Flanagan & Belytschko 1981), as pure functions.
 // Corners in VTK order: xi = - + + - - + + -, eta = - - + + - - + +, zeta = - - - - + + + +.
 #pragma once
+#include "swarf/core/eigen.hpp"
 #include "swarf/core/pack.hpp"
 #include "swarf/hexes/hex_mesh.hpp"
 
@@ -85,17 +86,6 @@ SWARF_FN Tensor3Of<S> velocity_gradient(const HexVectorsOf<S>& v, const HexVecto
 }
 
 // --- length
-// Largest eigenvalue in closed form (Smith 1961).
-SWARF_FN Real largest_eigenvalue(const Symmetric3& a) {
-  const Real mean = trace(a) / Real(3);
-  const Symmetric3 dev = deviator(a);
-  const Real p = Kokkos::sqrt(contract(dev, dev) / Real(6));
-  if (!(p > Real(0))) return mean;
-  const Real r = Real(0.5) * determinant(to_tensor((Real(1) / p) * dev));
-  const Real cosine = Kokkos::min(Kokkos::max(r, Real(-1)), Real(1)); // |r| <= 1 but for round-off
-  return mean + Real(2) * p * Kokkos::cos(Kokkos::acos(cosine) / Real(3));
-}
-
 // l = 1 / sqrt(2 max eig(B^T B)): the edge of a cube, the thickness of a flat brick. Plane waves in the
 // lumped mesh need dt <= l / c. Measured limits of dt c / l at nu = 0.33 (0.45), from the largest eigenvalue:
 // a block of 4 x 4 x 4 cubes 0.95 (0.88), a single free cube 0.71 (0.62).
