@@ -1,6 +1,6 @@
-// What is shown of each patch of the tool's surface (tool_surface.hpp), of what was gathered in `duration`. A
-// tool that does not conduct has no temperature: 0. Once per frame. Reads sums, area, corner, the tool's
-// temperature.
+// What is shown of each patch of the tool's surface (tool_surface.hpp), of what was gathered in `duration`
+// and spread over the faces of the points: patches at an edge are smaller than these. A tool that does not
+// conduct has no temperature: 0. Once per frame. Reads sums, area, corner, the tool's temperature.
 #include "swarf/kernels.hpp"
 
 namespace swarf {
@@ -28,16 +28,16 @@ View<Real* [shown_on_tool]> show_tool_surface(const Tool& tool, Real duration) {
   const bool conducts = tool.heat.cells > 0;
   Kokkos::parallel_for(
       "show_tool_surface", Range(0, s.patches), KOKKOS_LAMBDA(const int p) {
-        const Real impulse = s.sums(p, sum_impulse), share = s.area(p) * duration;
+        const Real impulse = spread_sum(s, p, sum_impulse), share = s.area(p) * duration;
         if (duration > Real(0)) {
           shown(p, shown_pressure) = impulse / share;
-          shown(p, shown_friction) = s.sums(p, sum_friction) / share;
+          shown(p, shown_friction) = spread_sum(s, p, sum_friction) / share;
         }
-        if (impulse > Real(0)) shown(p, shown_speed) = s.sums(p, sum_slide) / impulse;
+        if (impulse > Real(0)) shown(p, shown_speed) = spread_sum(s, p, sum_slide) / impulse;
         if (conducts)
           shown(p, shown_temperature) =
-              impulse > Real(0) ? s.sums(p, sum_temperature) / impulse : temperature_below(tool, p);
-        shown(p, shown_wear) = s.wear_A * s.sums(p, sum_wear) / s.area(p);
+              impulse > Real(0) ? spread_sum(s, p, sum_temperature) / impulse : temperature_below(tool, p);
+        shown(p, shown_wear) = s.wear_A * spread_sum(s, p, sum_wear) / s.area(p);
       });
   return shown;
 }

@@ -360,9 +360,15 @@ Slider slide_over_patches(double friction, double wear_A, double wear_B) {
   patches.corner = s.tool.vertex, patches.area = ScalarField("area", 12);
   patches.sums = View<Real* [surface_sums]>("sums", 12);
   patches.first = IndexField("first", 13), patches.source = IndexField("source", 1);
+  patches.spread_start = IndexField("start", 13),
+  patches.spread_from = IndexField("from", 12); // each to itself
+  patches.spread_share = ScalarField("share", 12);
   patches.wear_A = Real(wear_A), patches.wear_B = Real(wear_B);
-  const auto tree = host_copy(patches.tree);
-  for (int f = 0; f < 12; ++f) tree(f) = -1 - f;
+  const auto tree = host_copy(patches.tree), start = host_copy(patches.spread_start),
+             from = host_copy(patches.spread_from);
+  for (int f = 0; f < 12; ++f) tree(f) = -1 - f, from(f) = f, start(f + 1) = f + 1;
+  Kokkos::deep_copy(patches.spread_start, start), Kokkos::deep_copy(patches.spread_from, from);
+  Kokkos::deep_copy(patches.spread_share, Real(1));
   Kokkos::deep_copy(patches.tree, tree), Kokkos::deep_copy(patches.area, Real(2));
   s.points.on_tool = View<Real* [surface_sums]>("on_tool", 1), s.points.tool_patch = IndexField("patch", 1);
   test::set_row(s.points.position, 0, {Real(0.1), Real(-0.5), Real(0.999)});

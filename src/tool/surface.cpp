@@ -2,6 +2,7 @@
 #include "src/geometry/upload.hpp"
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace swarf {
@@ -115,11 +116,73 @@ PatchTree grow(const FacetSurface& surface, const PatchPlan& plan) {
   }
 }
 
-double area_of(const PatchTree& tree, const PatchTree::Node& node) {
+struct Patch {
+  Eigen::Vector3d middle, normal;
+  double area;
+};
+
+Patch patch_of(const PatchTree& tree, int node) {
   const auto at = [&](int k) {
-    return Eigen::Map<const Eigen::Vector3d>(tree.vertices[std::size_t(node.corner[std::size_t(k)])].data());
+    const int vertex = tree.nodes[std::size_t(node)].corner[std::size_t(k)];
+    return Eigen::Map<const Eigen::Vector3d>(tree.vertices[std::size_t(vertex)].data());
   };
-  return 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+  const Eigen::Vector3d n = 0.5 * (at(1) - at(0)).cross(at(2) - at(0));
+  return {tree.middle_of(node), n.normalized(), n.norm()};
+}
+
+// Patches by the cell of their middle: neighbours within a cell's length are in 27 cells.
+class PatchGrid {
+ public:
+  PatchGrid(const std::vector<Patch>& patches, double cell) : all(patches), length(cell) {
+    for (std::size_t p = 0; p < all.size(); ++p) rows[key(all[p].middle)].push_back(int(p));
+  }
+  // Those that the face of a point in patch q covers, q among them, in order.
+  std::vector<int> covered_from(int q) const {
+    const Patch& from = all[std::size_t(q)];
+    std::vector<int> found;
+    const auto [i, j, k] = key(from.middle);
+    for (long a = i - 1; a <= i + 1; ++a)
+      for (long b = j - 1; b <= j + 1; ++b)
+        for (long c = k - 1; c <= k + 1; ++c)
+          if (const auto cell = rows.find({a, b, c}); cell != rows.end())
+            for (const int p : cell->second) {
+              const Patch& to = all[std::size_t(p)];
+              const bool near = (to.middle - from.middle).norm() < length && to.normal.dot(from.normal) > 0;
+              if (near || p == q) found.push_back(p);
+            }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  using Key = std::array<long, 3>;
+  Key key(const Eigen::Vector3d& x) const {
+    return {std::lround(x[0] / length), std::lround(x[1] / length), std::lround(x[2] / length)};
+  }
+  const std::vector<Patch>& all;
+  double length;
+  std::map<Key, std::vector<int>> rows;
+};
+
+void add_spread(ToolSurface& s, const std::vector<Patch>& patches, double radius) {
+  const PatchGrid grid(patches, radius);
+  std::vector<std::vector<std::pair<int, double>>> taken(patches.size());
+  for (std::size_t q = 0; q < patches.size(); ++q) {
+    const std::vector<int> covered = grid.covered_from(int(q));
+    double area = 0;
+    for (const int p : covered) area += patches[std::size_t(p)].area;
+    for (const int p : covered)
+      taken[std::size_t(p)].push_back({int(q), patches[std::size_t(p)].area / area});
+  }
+  std::vector<int> start{0}, from;
+  std::vector<double> share;
+  for (const auto& row : taken) {
+    for (const auto& [q, part] : row) from.push_back(q), share.push_back(part);
+    start.push_back(int(from.size()));
+  }
+  s.spread_start = upload("spread_start", start), s.spread_from = upload("spread_from", from);
+  s.spread_share = upload<ScalarField>("spread_share", int(share.size()),
+                                       [&](auto& f, int k) { f(k) = Real(share[std::size_t(k)]); });
 }
 
 } // namespace
@@ -131,6 +194,8 @@ ToolSurface build_tool_surface(const FacetSurface& surface, const PatchPlan& pla
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
     if (tree.nodes[n].child < 0) patch[n] = int(node.size()), node.push_back(int(n));
   s.patches = int(node.size());
+  std::vector<Patch> patches;
+  for (const int n : node) patches.push_back(patch_of(tree, n));
   s.tree = upload<IndexField>("patch_tree", int(patch.size()), [&](auto& f, int n) {
     f(n) = patch[std::size_t(n)] < 0 ? tree.nodes[std::size_t(n)].child : -1 - patch[std::size_t(n)];
   });
@@ -142,9 +207,9 @@ ToolSurface build_tool_surface(const FacetSurface& surface, const PatchPlan& pla
       for (int d = 0; d < 3; ++d)
         f(p, k, d) = Real(tree.vertices[std::size_t(corner[std::size_t(k)])][std::size_t(d)]);
   });
-  s.area = upload<ScalarField>("patch_area", s.patches, [&](auto& f, int p) {
-    f(p) = Real(area_of(tree, tree.nodes[std::size_t(node[std::size_t(p)])]));
-  });
+  s.area = upload<ScalarField>("patch_area", s.patches,
+                               [&](auto& f, int p) { f(p) = Real(patches[std::size_t(p)].area); });
+  add_spread(s, patches, 0.5 * plan.finest);
   s.sums = View<Real* [surface_sums]>("patch_sums", s.patches);
   s.first = IndexField("patch_first", std::size_t(s.patches) + 1);
   return s;

@@ -1,5 +1,6 @@
 // The patches of the tool's surface: they cover it, fit together, and are found again.
 #include "src/tool/surface.hpp"
+#include "swarf/kernels.hpp"
 #include "swarf/tool/signed_distance.hpp"
 #include "tests/src/scene_decks.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -110,4 +111,29 @@ TEST(ToolPatches, CoverTheSurfaceAndFitTogether) {
 TEST(ToolPatches, AreFoundByTheContact) {
   const TemporaryFolder folder;
   for (const Case& c : {mill(), wedge(), stl(folder)}) find_all(c);
+}
+
+// 1 N s on the smallest patch, at the edge: the sum is kept, and no patch has more than a face of half a
+// spacing's radius would bear, if the patches that it covers make up half of it at least.
+TEST(ToolPatches, SpreadAPointOverItsFace) {
+  for (const Case& c : {mill(), wedge()}) {
+    const ToolSurface s = patches_of(c);
+    const auto area = host_copy(s.area);
+    int smallest = 0;
+    for (int p = 0; p < s.patches; ++p)
+      if (area(p) < area(smallest)) smallest = p;
+    const auto sums = host_copy(s.sums);
+    sums(smallest, sum_impulse) = 1;
+    Kokkos::deep_copy(s.sums, sums);
+    Tool tool;
+    tool.surface = s;
+    const auto shown = host_copy(show_tool_surface(tool, 1));
+    double sum = 0, most = 0;
+    for (int p = 0; p < s.patches; ++p)
+      sum += double(shown(p, shown_pressure) * area(p)),
+          most = std::max(most, double(shown(p, shown_pressure)));
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_LT(most, 2 / (3.14159 * finest * finest / 4));
+    EXPECT_GT(1 / double(area(smallest)), 3 / (3.14159 * finest * finest / 4)); // what it would have alone
+  }
 }

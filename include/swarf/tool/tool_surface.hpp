@@ -27,6 +27,13 @@ struct ToolSurface {
   ScalarField area;            // m2
   Real wear_A = 0, wear_B = 0; // 1/Pa, K, of Usui's law; A = 0: none
 
+  // A point presses on more than the patch in which it touches: on all whose middle is less than half a
+  // spacing from that one's and that face the same way. Patch p takes spread_share(k) of the sums of
+  // spread_from(k), k from spread_start(p) to spread_start(p + 1): its area's share of all that the other
+  // presses on.
+  IndexField spread_start, spread_from;
+  ScalarField spread_share;
+
   View<Real* [surface_sums]> sums; // of each patch: wear since the run began, the others since the last frame
   IndexField first, source;        // scratch of gather_tool_surface: rows of points by patch
 };
@@ -59,6 +66,14 @@ SWARF_FN Vector3 barycentric(const Vector3& a, const Vector3& b, const Vector3& 
 // exponential; without a temperature there is none.
 SWARF_FN Real wear_factor(const ToolSurface& s, Real temperature) {
   return s.wear_A > Real(0) && temperature > Real(0) ? Kokkos::exp(-s.wear_B / temperature) : Real(0);
+}
+
+// What patch p has of sum q, of what all points have done.
+SWARF_FN Real spread_sum(const ToolSurface& s, int p, SurfaceSum q) {
+  Real sum = 0;
+  for (int k = s.spread_start(p); k < s.spread_start(p + 1); ++k)
+    sum += s.spread_share(k) * s.sums(s.spread_from(k), q);
+  return sum;
 }
 
 // What is shown of a patch. Means over the time since the last frame: pressure and power over all of it, the
