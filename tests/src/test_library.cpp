@@ -20,8 +20,8 @@ std::string named(const std::string& material) {
 TEST(Library, every_material_is_listed_with_its_source) {
   const std::string text = list_materials();
   for (const char* name :
-       {"ti64-demiral", "ti64-seo", "ti64-lesuer", "ti64-meyer", "steel-4340", "steel-1045", "steel-42crmo4",
-        "al-6061-t6", "al-7075-t6", "copper-ofhc", "carbide-wc-co", "hss-m2"})
+       {"ti64-demiral", "ti64-seo", "ti64-lesuer", "ti64-meyer", "ti64-klippel", "steel-4340", "steel-1045",
+        "steel-42crmo4", "al-6061-t6", "al-7075-t6", "copper-ofhc", "carbide-wc-co", "hss-m2"})
     EXPECT_THAT(text, HasSubstr("\nlibrary:" + std::string(name) + "\n"));
   for (const LibraryMaterial& entry : material_library()) {
     EXPECT_THAT(text, HasSubstr("source: " + entry.source)) << entry.material.name;
