@@ -39,6 +39,7 @@ enum class Images {
 // What it is there for; without it, it has 0 rows.
 enum class Method {
   always,
+  with_body_contact,
   with_conduction,
   with_face_heat,
   with_heat_tables,
