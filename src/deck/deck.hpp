@@ -245,6 +245,7 @@ bool conducts_heat(const Deck& deck);
 std::vector<int> contact_groups(const Deck& deck);
 bool can_meet(const Deck& deck, const BodyDeck& a, const BodyDeck& b); // two that are not tied
 bool can_meet(const Deck& deck);
+bool are_all_tied(const Deck& deck);      // into one group; a single body is
 bool heats_faces(const Deck& deck);       // a face has a film or a held temperature
 bool stress_knows_heat(const Deck& deck); // thermal expansion, or a modulus that depends on temperature
 const MaterialDeck* find_material(const Deck& deck, const std::string& name); // null: there is none

@@ -118,7 +118,7 @@ std::string resolved_deck(const Deck& deck) {
   }
   for (const BodyDeck& body : deck.bodies) text += write_body(body);
   if (deck.tool) text += "\n[tool]\n" + write_keys(tool_keys(), *deck.tool);
-  if (deck.tool || deck.bodies.size() > 1) text += "\n[contact]\n" + write_keys(contact_keys(), deck.contact);
+  if (deck.tool || !are_all_tied(deck)) text += "\n[contact]\n" + write_keys(contact_keys(), deck.contact);
   text += "\n[particles]\n" + write_keys(particles_keys(), deck.particles);
   text += "\n[hexes]\n" + write_keys(hexes_keys(), deck.hexes);
   text += "\n[sleep]\n" + write_keys(sleep_keys(), deck.sleep);
