@@ -37,6 +37,7 @@ PointSums sum_particles(const Particles& p, Real mass_factor, int begin, int end
     s.external += p.external_work(i);
     s.friction += p.friction_work(i);
     s.contact += p.contact_energy(i);
+    if (p.body_contact_energy.extent(0) > 0) s.contact += p.body_contact_energy(i);
     if (!retired) return;
     apart.max_temperature = apart.max_plastic_strain = apart.max_speed = 0;
     sums.add(apart);
@@ -55,6 +56,7 @@ PointSums sum_hexes(const HexMesh& m, Real mass_factor) {
     s.external += m.external_work(a);
     s.friction += m.friction_work(a);
     s.contact += m.contact_energy(a);
+    if (m.body_contact_energy.extent(0) > 0) s.contact += m.body_contact_energy(a);
   };
   PointSums total = block_sum<PointSums>("sum_hexes", m.points.count, add_hex);
   total.add(block_sum<PointSums>("sum_nodes", m.nodes, add_node));

@@ -3,6 +3,7 @@
 #pragma once
 #include "swarf/core/cell_order.hpp"
 #include "swarf/core/status.hpp"
+#include "swarf/hexes/body_contact.hpp"
 #include "swarf/hexes/conversion.hpp"
 #include "swarf/hexes/hex_mesh.hpp"
 #include "swarf/hexes/tie.hpp"
@@ -41,9 +42,10 @@ struct HexMethod {
 // --- neighbours and ghosts
 using GhostPlanes = std::vector<GhostPlane>; // on the host: a launch for each plane
 void wrap_periodic(const Particles&, const GhostPlanes&, const Status&); // back through the partner plane
-void sort_particles(Particles&, const CellGrid& lattice);     // rows [0, count) along a Hilbert curve
-void make_ghosts(Particles&, Neighbors&, const GhostPlanes&); // rows [stored, total)
-void find_neighbors(Neighbors&, const Particles&);            // clusters and their lists
+void sort_particles(Particles&, const CellGrid& lattice,
+                    const IndexField& apart = {}); // rows [0, count) along a Hilbert curve, group by group
+void make_ghosts(Particles&, Neighbors&, const GhostPlanes&);                    // rows [stored, total)
+void find_neighbors(Neighbors&, const Particles&);                               // clusters and their lists
 void update_ghosts(const Particles&, const Neighbors&, const GhostPlanes&);      // position, velocity
 void update_ghost_state(const Particles&, const Neighbors&, const GhostPlanes&); // what the force sum needs
 
@@ -93,6 +95,18 @@ void update_stress(const MaterialPoints&, const MaterialTable&, Real dt, const S
                    const View<int*>& active = {});
 void tool_contact(const ContactPoints&, const Tool&, const ToolPose&, const ContactLaw&, const MaterialTable&,
                   Real mass_factor, Real dt);
+
+// --- bodies that meet
+void find_body_contact(BodyContact&, const HexMesh&, const Particles&, const ContactGroups&);
+// The second half of it: of the faces and particles that `key` and `row` name, as a restart does.
+void list_body_contact(BodyContact&, const HexMesh&, const Particles&, const ContactGroups&);
+Real way_since(const BodyContact&, const HexMesh&, const Particles&); // m, of the farthest since the lists
+struct PressStep {
+  const ContactLaw& law;
+  const MaterialTable& materials;
+  Real mass_factor, dt;
+};
+void press_bodies(const BodyContact&, const HexMesh&, const Particles&, const PressStep&);
 
 // --- tie
 void project_tie(const Tie&, const Particles&, const HexMesh&);       // x, v of tied particles from nodes

@@ -60,6 +60,7 @@ void save_rest(Recorder& recorder, RunEnding& ending, bool with_frame) {
 void speak_of_bodies(const Deck& deck, const Scene& scene) {
   const BodyReport bodies = look_at_bodies(deck, scene);
   for (const std::string& pair : bodies.joined) say("{}\n", pair);
+  for (const std::string& pair : bodies.met) say("{}\n", pair);
   for (const std::string& warning : bodies.warnings) complain("warning: {}.", warning);
 }
 

@@ -13,9 +13,11 @@ bool is_zero(const Triple& v) { return v == Triple{}; }
 
 bool are_tied(const BodyDeck& a, const BodyDeck& b) { return a.tie == b.name || b.tie == a.name; }
 
-// Particles of two bodies feel each other, pull as well as push; nothing else does.
+// Particles of two bodies feel each other by their kernels, pull as well as push, where no contact takes
+// their place.
 bool feel(const Deck& deck, const BodyDeck& a, const BodyDeck& b) {
-  return a.fill == "particles" && b.fill == "particles" && deck.particles.kernel_frame != "initial";
+  return a.fill == "particles" && b.fill == "particles" && deck.particles.kernel_frame != "initial" &&
+         !can_meet(deck, a, b);
 }
 
 // Centres or nodes of each body, and how far its own surface lies around them.
@@ -76,7 +78,7 @@ class BodyCheck {
  public:
   BodyCheck(const Deck& from, const Scene& scene)
       : deck(from), boxes(boxes_of_bodies(from, scene)), points(points_of_bodies(from, scene)),
-        group(from.bodies.size()) {
+        group(from.bodies.size()), contact_group(contact_groups(from)) {
     for (const BodyDeck& body : deck.bodies) shapes.push_back(make_shape(deck, body));
     std::iota(group.begin(), group.end(), std::size_t(0));
   }
@@ -86,7 +88,7 @@ class BodyCheck {
       for (std::size_t b = a + 1; b < deck.bodies.size(); ++b) look_at_pair(a, b);
     look_at_holds();
     look_at_cells();
-    return {warnings, joined};
+    return {warnings, joined, met};
   }
 
  private:
@@ -95,7 +97,8 @@ class BodyCheck {
   std::vector<Points> points;
   std::vector<Shape> shapes;
   std::vector<std::size_t> group;
-  std::vector<std::string> warnings, joined;
+  std::vector<int> contact_group; // of ties, direct and by way of others
+  std::vector<std::string> warnings, joined, met;
 
   std::size_t root(std::size_t b) const { return group[b] == b ? b : root(group[b]); }
 
@@ -119,18 +122,18 @@ class BodyCheck {
                          "and do not part again");
       return;
     }
+    const bool press = can_meet(deck, one, other) && contact_group[a] != contact_group[b];
     if (touching)
-      warnings.push_back(
-          fmt::format("{} touch, and nothing joins them: they part when pulled and pass through each "
-                      "other when pressed. {}",
-                      pair, advice(one, other)));
+      warnings.push_back(fmt::format("{} touch, and nothing joins them: they part when pulled and {} when "
+                                     "pressed. {}",
+                                     pair, press ? "press each other" : "pass through each other",
+                                     advice(one, other)));
+    else if (press && come_together(a, b))
+      met.push_back(
+          fmt::format("{} come together: contact, with friction {:.3g}", pair, deck.contact.friction));
     else if (come_together(a, b))
-      warnings.push_back(
-          fmt::format("{} come together and do not feel each other: they pass through. Fill both with "
-                      "particles{}",
-                      pair,
-                      one.fill == other.fill && one.fill == "particles" ? ", of kernel_frame = \"current\""
-                                                                        : ", which meet by themselves"));
+      warnings.push_back(fmt::format("{} come together and do not feel each other: they pass through. {}",
+                                     pair, remedy(one, other)));
   }
 
   std::string advice(const BodyDeck& one, const BodyDeck& other) const {
@@ -138,6 +141,14 @@ class BodyCheck {
     if (one.fill != other.fill && taken.empty())
       return fmt::format("Give the particles tie = \"{}\"", one.fill == "hexes" ? one.name : other.name);
     return "Make them one body, or fill one with particles and tie it to the other";
+  }
+
+  // What lets two bodies feel each other that would pass through.
+  std::string remedy(const BodyDeck& one, const BodyDeck& other) const {
+    if (one.fill != "particles" || other.fill != "particles")
+      return deck.contact.between_bodies == "none" ? "Leave contact.between_bodies = \"none\" out"
+                                                   : "Other bodies tie them together";
+    return "Take kernel_frame = \"current\", or contact.between_bodies = \"all\"";
   }
 
   std::vector<Triple> ways(std::size_t b) const {

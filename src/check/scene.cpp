@@ -112,6 +112,7 @@ SceneReport look_at_scene(const Deck& deck, const Scene& scene) {
   }
   const BodyReport of_bodies = look_at_bodies(deck, scene);
   for (const std::string& pair : of_bodies.joined) report.lines.emplace_back("act as one body", pair);
+  for (const std::string& pair : of_bodies.met) report.lines.emplace_back("will meet", pair);
   report.warnings.insert(report.warnings.end(), of_bodies.warnings.begin(), of_bodies.warnings.end());
   return report;
 }

@@ -39,6 +39,7 @@ std::vector<std::string> warn_of_tool(const Deck& deck,
 struct BodyReport {
   std::vector<std::string> warnings; // not held, not joined, not felt
   std::vector<std::string> joined;   // pairs that act as one, now or once they meet
+  std::vector<std::string> met;      // pairs that will press each other by contact
 };
 BodyReport look_at_bodies(const Deck& deck, const Scene& scene);
 

@@ -170,7 +170,13 @@ void DeckReader::read_tool() {
       report.add(table, "contact",
                  "is missing: the friction of the tool has no default. Write [contact] and friction");
   } else if (const toml::node* contact = root.get("contact")) {
-    report.add(*contact, "contact", "there is no [tool] to touch. Remove this section or add a tool");
+    if (are_all_tied(deck))
+      report.add(
+          *contact, "contact",
+          "there is no [tool] to touch, and no two bodies that no tie joins. Remove this section or add "
+          "a tool");
+    else
+      read_keys(find_section("contact"), "contact", contact_keys(), deck.contact, report);
   }
 }
 

@@ -109,6 +109,7 @@ struct ToolDeck {
 struct ContactDeck {
   double friction = 0;
   std::optional<double> shear_limit;       // Pa
+  std::string between_bodies = "hexes";    // hexes | all | none
   double stiffness = 1;                    // at most, penalty / (scaled mass / dt^2)
   std::optional<double> heat_to_workpiece; // share of the friction work, of a tool without a material
   std::optional<double> conductance;       // W/(m2 K), of one with a material; not given: perfect contact
@@ -240,6 +241,11 @@ MechanisticDeck read_mechanistic(const std::string& file);
 std::string write_mechanistic(const MechanisticDeck& model);
 
 bool conducts_heat(const Deck& deck);
+// The group of each body, and whether any two can meet by contact: tied bodies are one group.
+std::vector<int> contact_groups(const Deck& deck);
+bool can_meet(const Deck& deck, const BodyDeck& a, const BodyDeck& b); // two that are not tied
+bool can_meet(const Deck& deck);
+bool are_all_tied(const Deck& deck);      // into one group; a single body is
 bool heats_faces(const Deck& deck);       // a face has a film or a held temperature
 bool stress_knows_heat(const Deck& deck); // thermal expansion, or a modulus that depends on temperature
 const MaterialDeck* find_material(const Deck& deck, const std::string& name); // null: there is none

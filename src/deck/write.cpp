@@ -117,10 +117,8 @@ std::string resolved_deck(const Deck& deck) {
     text += fmt::format("\n[material.{}]\n{}", name, write_keys(material_keys(), material));
   }
   for (const BodyDeck& body : deck.bodies) text += write_body(body);
-  if (deck.tool) {
-    text += "\n[tool]\n" + write_keys(tool_keys(), *deck.tool);
-    text += "\n[contact]\n" + write_keys(contact_keys(), deck.contact);
-  }
+  if (deck.tool) text += "\n[tool]\n" + write_keys(tool_keys(), *deck.tool);
+  if (deck.tool || !are_all_tied(deck)) text += "\n[contact]\n" + write_keys(contact_keys(), deck.contact);
   text += "\n[particles]\n" + write_keys(particles_keys(), deck.particles);
   text += "\n[hexes]\n" + write_keys(hexes_keys(), deck.hexes);
   text += "\n[sleep]\n" + write_keys(sleep_keys(), deck.sleep);
@@ -149,7 +147,9 @@ std::string key_reference() {
   text += write_reference("[[body]]", "One section per body, in double brackets; at least one.", body_keys());
   text += write_reference("[body.faces]", "Follows its [[body]]. A face in braces holds:", face_keys());
   text += write_reference("[tool]", "The rigid tool, if there is one.", tool_keys());
-  text += write_reference("[contact]", "Between the tool and the bodies; goes with [tool].", contact_keys());
+  text += write_reference("[contact]",
+                          "Between the tool and the bodies, and between bodies; required with [tool].",
+                          contact_keys());
   text += write_reference("[particles]", "Method of the particles.", particles_keys());
   text += write_reference("[hexes]", "Method of the hexes.", hexes_keys());
   text += write_reference("[sleep]", "Points far from the active region that take no part.", sleep_keys());

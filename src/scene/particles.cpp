@@ -48,6 +48,8 @@ bool uses(const Deck& deck, Method method) {
   switch (method) {
   case Method::always:
     return true;
+  case Method::with_body_contact:
+    return can_meet(deck);
   case Method::with_conduction:
     return conducts_heat(deck);
   case Method::with_face_heat:

@@ -39,6 +39,8 @@ struct FreeQuad {
   double area; // m2
 };
 std::vector<FreeQuad> list_free_quads(const std::vector<FilledBody>& bodies);
+// Which bodies may meet, and the sides of hexes where.
+ContactGroups make_contact_groups(const Deck& deck, const std::vector<FilledBody>& bodies);
 void share_masses(std::vector<double>& mass, const Faces& faces); // of periodic pairs of nodes
 
 // Throws DeckError: a cell of one body lies in another body, by more than 5 % of a cell.

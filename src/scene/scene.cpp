@@ -260,6 +260,7 @@ Scene build_scene(const Deck& deck) {
   std::vector<int> hex_body;
   for (const FilledBody& b : bodies) hex_body.insert(hex_body.end(), b.hexes.hex.size(), b.row);
   scene.hex_body = upload("hex_body", hex_body);
+  scene.contact_groups = make_contact_groups(deck, bodies);
   scene.conversion = make_conversion(deck, bodies, faces, scene.hexes, scene.cutoff);
   scene.tie = make_tie(tied, scene.hexes);
   scene.tie.row = upload<IndexField>("tie.row", scene.tie.count,

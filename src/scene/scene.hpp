@@ -3,6 +3,7 @@
 #include "src/deck/deck.hpp"
 #include "swarf/core/cell_order.hpp"
 #include "swarf/core/transform.hpp"
+#include "swarf/hexes/body_contact.hpp"
 #include "swarf/hexes/hex_mesh.hpp"
 #include "swarf/hexes/tie.hpp"
 #include "swarf/material/face_heat.hpp"
@@ -23,6 +24,7 @@ struct Scene {
   HexMesh hexes;           // all bodies of hexes in one mesh
   IndexField hex_body;     // row of deck.bodies
   Tie tie;
+  ContactGroups contact_groups;         // count 0: no two bodies can meet
   std::vector<GhostPlane> ghost_planes; // host; even count, at most max_ghost_planes
   TransformTable node_transforms;       // of hexes.coupled_nodes
   ConstraintTable constraints;

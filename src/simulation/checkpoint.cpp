@@ -108,6 +108,7 @@ void Simulation::write_state(CheckpointWriter& out) const {
   }
   out.put("initial_tool_heat", initial_tool_heat);
   out.put("lists/build_position", first_rows(lists.build_position, rows));
+  if (bodies_meet()) write_body_contact(out);
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
   const Real* values = reinterpret_cast<const Real*>(&load);
   out.put("tool_load", std::vector<Real>(values, values + sizeof(ToolLoad) / sizeof(Real)));
@@ -188,6 +189,7 @@ void Simulation::read_state(const CheckpointReader& in) {
   in.get("particles/position", current, std::uint64_t(p.stored));
   find_tied_rows(model.tie, p);
   find_held_rows(model.held_rows, p);
+  if (bodies_meet()) read_body_contact(in);
   const auto rows = std::make_pair(0, p.stored);
   Kokkos::deep_copy(Kokkos::subview(p.position, rows, Kokkos::ALL), current);
 

@@ -54,6 +54,7 @@ void Simulation::step() {
   if (conversion_due) convert();
   if (freeze_due) freeze();
   if (lists_due) rebuild_lists();
+  if (meeting_due) follow_bodies();
   if (mode_is_due()) find_highest_mode(1);
   follow_hexes_and_ghosts();
   update_rates_and_stresses();
@@ -101,12 +102,12 @@ void Simulation::shift() {
 
 void Simulation::rebuild_lists() {
   wrap_periodic(model.particles, model.ghost_planes, status);
-  sort_particles(model.particles, model.lattice);
+  sort_particles(model.particles, model.lattice, lists.apart);
   find_held_rows(model.held_rows, model.particles);
   project_tie(model.tie, model.particles, model.hexes);
   make_ghosts(model.particles, lists, model.ghost_planes);
   find_neighbors(lists, model.particles);
-  lists_due = false;
+  lists_due = false, meeting_due = bodies_meet();
   ++rebuild_count;
   timer.mark("neighbours");
 }
@@ -174,13 +175,17 @@ void Simulation::press_tool() {
       sum_tool_load(points, model.tool, where, dt, loads);
     }
   }
+  if (bodies_meet())
+    press_bodies(meeting, model.hexes, model.particles,
+                 {contact_law, model.materials, Real(mass_factor), dt});
   couple_nodes(model.hexes, model.node_transforms, true);
   timer.mark("contact");
 }
 
 void Simulation::take_contact_heat() {
-  if (!deck.tool) return;
+  if (!deck.tool && !bodies_meet()) return;
   spread_contact_heat(model.tie, model.particles, model.hexes, model.node_transforms, model.materials);
+  if (!deck.tool) return;
   for (const ContactPoints& points : {contact_points_of(model.particles), contact_points_of(model.hexes)}) {
     ensure_rows(model.tool.heat.source, points.heat_to_tool.extent(0));
     gather_tool_heat(points, model.tool.heat);

@@ -77,6 +77,10 @@ class Simulation {
   void smooth_pressure();
   void compute_forces();
   void press_tool();
+  void follow_bodies();                                // lists of what may meet
+  long plan_body_contact(double reach, long interval); // when they are made again; steps to the next check
+  void write_body_contact(CheckpointWriter&) const;
+  void read_body_contact(const CheckpointReader&);
   void conduct();
   void take_contact_heat(); // what the contact has brought shows as temperature, of the work and of the tool
   void take_surface_sums(); // what points have done to the tool's surface, to its patches
@@ -93,6 +97,7 @@ class Simulation {
   bool shifts() const {
     return deck.particles.shifting && model.particles.count > 0 && !particle_method.initial_frame;
   }
+  bool bodies_meet() const { return model.contact_groups.count > 0; }
   bool has_surfaces() const { return model.particles.surface_shift.extent(0) > 0; }
   double shift_way() const { return model.spacing / 16; } // m, of the tool between two shifts
   StableStep limit_step();
@@ -113,6 +118,7 @@ class Simulation {
   Deck deck;
   Scene model;
   Neighbors lists;
+  BodyContact meeting; // of bodies
   ParticleMethod particle_method;
   HexMethod hex_method;
   ContactLaw contact_law;
@@ -135,7 +141,7 @@ class Simulation {
   PointSums of_particles, of_hexes; // at the last check()
   PointSums of_frozen;              // of the particles: does not change until others freeze
   bool others_frozen = true;
-  bool lists_due = false, freeze_due = false;
+  bool lists_due = false, freeze_due = false, meeting_due = false;
   double frozen_at = 0;                        // s
   VectorField first_position;                  // of each particle's identity; 0 rows where nothing retires
   double shift_speed = 0, way_since_shift = 0; // m/s, of the tool, faces or bodies; m

@@ -101,6 +101,7 @@ Simulation::Simulation(const Deck& from)
   if (deck.contact.conductance) contact_law.heat_resistance = Real(1 / *deck.contact.conductance);
   tool_heat_step = double(stable_heat_step(model.tool.heat));
   lists.cutoff = Real(model.cutoff), lists.skin = Real(model.skin);
+  if (model.contact_groups.of_particles) lists.apart = model.contact_groups.of_body;
   initial_heat = double(sum_heats().work);
   loads = make_tool_load_sums(std::max(model.particles.count, model.hexes.nodes));
   Kokkos::deep_copy(status, no_fault), Kokkos::deep_copy(hex_status, no_fault);
@@ -118,6 +119,7 @@ void Simulation::start() {
   convert();
   lost_in_conversion = 0; // the run begins with what it has now
   rebuild_lists();
+  if (meeting_due) follow_bodies();
   find_highest_mode(first_iterations);
   release_freed_memory();
   step_size = 0; // rates and forces of the initial state; nothing moves, no history is made
@@ -162,7 +164,8 @@ StableStep Simulation::limit_step() {
 void Simulation::check() {
   timer.restart();
   check_status();
-  if (deck.tool && !conducts) take_contact_heat(); // else conduct() does, before it moves on
+  if ((deck.tool || bodies_meet()) && !conducts)
+    take_contact_heat(); // else conduct() does, before it moves on
   take_surface_sums();
   const StableStep limit = limit_step();
   if (limit.limiter < 0) fail("every hex that is active has failed, and no particle is");
@@ -190,6 +193,7 @@ void Simulation::check() {
   const double fall = double(norm(gravity)) * step_size * double(interval);
   const double reach = 2 * (std::max(speed, driving_speed) + fall) * step_size;
   if (lists_age && reach * interval > 0.5 * whole) interval = std::max(1L, long(0.5 * whole / reach));
+  if (bodies_meet()) interval = plan_body_contact(reach, interval);
   lists_due = lists_age && room < reach * double(interval);
   next_check = steps + interval;
   plan_freeze(speed);

@@ -140,8 +140,9 @@ TEST(Check, bodies_that_nothing_holds_or_joins) {
 TEST(Check, bodies_that_do_not_feel_each_other) {
   for (const auto& [first, second] :
        {std::pair("hexes", "hexes"), {"hexes", "particles"}, {"particles", "hexes"}})
-    expect_words(blocks(first, second, flies),
-                 {"\"lower\" of line 7 and \"upper\" of line 14 come together and do not feel"});
+    expect_words(blocks(first, second, flies) + "[contact]\nfriction = 0.0\nbetween_bodies = \"none\"\n",
+                 {"\"lower\" of line 7 and \"upper\" of line 14 come together and do not feel",
+                  "Leave contact.between_bodies"});
   EXPECT_THAT(check(blocks("particles", "particles", flies)).output, HasSubstr("fit to run"));
   EXPECT_THAT(check(edit(blocks("hexes", "hexes", flies), {{"\"-100 m/s\"", "\"100 m/s\""}})).output,
               HasSubstr("fit to run"))
@@ -220,6 +221,14 @@ TEST(Check, constants_that_no_material_has_are_named) {
                {"deck.toml:4: material.steel.youngs_modulus: E = 2e+26 Pa", "Look at the units"}, 1);
   expect_words(edit(slice, {{"\"7800 kg/m3\"", "\"7.8e-15 kg/m3\""}, {"\"30 us\"", "\"1 s\""}}),
                {"deck.toml:3: material.steel.density: "}, 1);
+}
+
+TEST(Check, bodies_that_will_meet_by_contact) {
+  for (const auto& [first, second] : {std::pair("hexes", "hexes"), {"hexes", "particles"}})
+    expect_words(blocks(first, second, flies), {"will meet", "come together: contact, with friction 0"});
+  expect_words(blocks("particles", "particles", flies) +
+                   "[contact]\nfriction = 0.3\nbetween_bodies = \"all\"\n",
+               {"will meet", "come together: contact, with friction 0.3"});
 }
 
 TEST(Check, particles_that_will_act_as_one_body) {

@@ -40,6 +40,7 @@ enum class Ghosts {
 // What it is there for; without it, it has 0 rows.
 enum class Method {
   always,
+  with_body_contact,
   with_conduction,
   with_face_heat,
   with_heat_tables,

@@ -32,6 +32,7 @@ struct HexMesh {
   View<Real* [8]> corner_heat;               // J, before the gather
   VectorField friction_force, contact_force; // nodes on the surface that may touch the tool
   ScalarField friction_work, external_work, contact_energy;
+  ScalarField body_contact_energy;    // J, in springs between bodies; 0 rows where none meet
   ScalarField heat_to_tool;           // J, not yet in the tool's cells; 0 rows without cells
   IndexField tool_cell;               // of the tool, that the node touched last; 0 rows without cells
   View<Real* [surface_sums]> on_tool; // not yet on the tool's surface (tool_surface.hpp); 0 rows without tool
@@ -83,6 +84,7 @@ struct HexMesh {
     visit("friction_work", m.friction_work, Facts<per_node, history>());
     visit("external_work", m.external_work, Facts<per_node, history>());
     visit("contact_energy", m.contact_energy, Facts<per_node, history>());
+    visit("body_contact_energy", m.body_contact_energy, Facts<per_node, history, with_body_contact>());
     visit("contact_gap", m.contact_gap, Facts<per_node>());
     visit("contact_area", m.contact_area, Facts<per_node>());
     visit("constraints", m.constraints, Facts<per_node, history>());

@@ -59,6 +59,8 @@ struct Particles {
   ScalarField shifting_work;          // J, that the values of a shifted particle have lost
   ScalarField external_work;          // J, gravity and prescribed velocities
   ScalarField contact_energy;         // J, stored in the penalty spring
+  ScalarField body_contact_energy;    // J, in springs between bodies, and
+  VectorField body_friction;          // N, their stick-slip memory; 0 rows where no bodies meet
   ScalarField contact_gap;            // m, half the initial spacing: where the particle's own surface lies
   ScalarField contact_area;           // m2, the face of the particle's initial cube
   ScalarField heat_to_tool;           // J, not yet in the tool's cells; 0 rows without cells
@@ -114,6 +116,8 @@ struct Particles {
     visit("hourglass_work", p.hourglass_work, Facts<history>());
     visit("external_work", p.external_work, Facts<history>());
     visit("contact_energy", p.contact_energy, Facts<history>());
+    visit("body_contact_energy", p.body_contact_energy, Facts<history, with_body_contact>());
+    visit("body_friction", p.body_friction, Facts<vector, history, with_body_contact>());
     visit("contact_gap", p.contact_gap, Facts<history>());
     visit("contact_area", p.contact_area, Facts<history>());
     visit("heat_to_tool", p.heat_to_tool, Facts<history, with_tool_heat>());
@@ -123,7 +127,7 @@ struct Particles {
     visit("on_tool", p.on_tool, Facts<history, with_tool>());
     visit("tool_patch", p.tool_patch, Facts<history, with_tool>());
     visit("identity", p.identity, Facts<history>());
-    visit("body", p.body, Facts<history>());
+    visit("body", p.body, Facts<history, when_made>());
     visit("constraints", p.constraints, Facts<history>());
   }
 
