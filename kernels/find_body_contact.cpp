@@ -41,17 +41,17 @@ struct IsNear {
   ContactGroups g;
   VectorField low, high;
 
-  SWARF_FN bool meets(const Box& box, int group, int row) const {
+  SWARF_FN bool meets(const ContactBox& box, int group, int row) const {
     return row % g.count != group && do_meet(box, {load_vector(low, row), load_vector(high, row)}, g.skin);
   }
   SWARF_FN bool face(int side) const {
-    const Box box = box_of_face(h, side);
+    const ContactBox box = box_of_face(h, side);
     for (int row = 0; row < 2 * g.count; ++row)
       if (meets(box, g.of_hex(side / 6), row)) return true;
     return false;
   }
   SWARF_FN bool particle(int i) const {
-    const Box box = box_of_particle(p, i);
+    const ContactBox box = box_of_particle(p, i);
     for (int row = 0; row < (g.of_particles ? 2 : 1) * g.count; ++row)
       if (meets(box, g.of_body(p.body(i)), row)) return true;
     return false;
@@ -59,7 +59,7 @@ struct IsNear {
 };
 
 // Half of what lies between the two groups that are nearest to each other and may meet.
-Real room_between(const std::vector<Box>& boxes, const ContactGroups& g) {
+Real room_between(const std::vector<ContactBox>& boxes, const ContactGroups& g) {
   Real least = Kokkos::Experimental::infinity_v<Real>;
   for (int a = 0; a < 2 * g.count; ++a)
     for (int b = 0; b < a; ++b)
@@ -70,7 +70,7 @@ Real room_between(const std::vector<Box>& boxes, const ContactGroups& g) {
 
 void collect(BodyContact& c, const HexMesh& h, const Particles& p, const ContactGroups& g) {
   const IndexField surface = rows_that(6 * h.points.count, IsSurface{h.active, g.behind});
-  const std::vector<Box> boxes = boxes_of_groups(h, p, g, surface);
+  const std::vector<ContactBox> boxes = boxes_of_groups(h, p, g, surface);
   const int rows = int(boxes.size());
   const IsNear near{h, p, g, VectorField("group_low", rows), VectorField("group_high", rows)};
   const auto low = Kokkos::create_mirror_view(near.low), high = Kokkos::create_mirror_view(near.high);
@@ -134,7 +134,7 @@ Search make_search(const BodyContact& c, const HexMesh& h, const Particles& p, c
       "contact_boxes", Range(0, c.items),
       KOKKOS_LAMBDA(int i, Real& most) {
         const bool is_face = i < faces;
-        const Box box = is_face ? box_of_face(h, key(i)) : box_of_particle(p, row(i - faces));
+        const ContactBox box = is_face ? box_of_face(h, key(i)) : box_of_particle(p, row(i - faces));
         group(i) = is_face ? g.of_hex(key(i) / 6) : g.of_body(p.body(row(i - faces)));
         const Vector3 size = box.high - box.low;
         store_vector(low, i, box.low), store_vector(high, i, box.high);

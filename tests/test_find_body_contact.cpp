@@ -59,7 +59,7 @@ TEST(FindBodyContact, what_stays_in_the_lists_keeps_its_memory) {
   for (int f = 0; f < b.contact.faces; ++f) friction(f, 2, 1) = Real(key(f));
   Kokkos::deep_copy(b.contact.friction, friction);
   const auto active = host_copy(b.mesh.active);
-  active(4) = 0; // bares five sides, and takes one away
+  active(4) = 0; // bares a side of each of four, and takes one away
   Kokkos::deep_copy(b.mesh.active, active);
   find_body_contact(b.contact, b.mesh, b.particles, b.groups);
   const auto kept = host_copy(b.contact.friction);

@@ -15,9 +15,13 @@ struct TwoBlocks {
 };
 
 // Of n x n x layers cubes each. gap < 0: they overlap.
-inline TwoBlocks two_blocks(int n, int layers, Real edge, double gap) {
+inline Material steel_of_blocks() {
   Material steel;
   steel.density = 7800, steel.bulk_modulus = 1e11, steel.shear_modulus = 8e10, steel.specific_heat = 500;
+  return steel;
+}
+inline TwoBlocks two_blocks(int n, int layers, Real edge, double gap) {
+  const Material steel = steel_of_blocks();
   TwoBlocks b;
   const Cells cells{n, n, 2 * layers + 1};
   b.mesh = make_hex_block(cells, steel, [=](int i, int j, int k) {
@@ -46,6 +50,12 @@ inline TwoBlocks two_blocks(int n, int layers, Real edge, double gap) {
           next < 0 || next >= cells[std::size_t(s / 2)] ? no_hex : e + (s % 2 ? 1 : -1) * step[s / 2];
     }
   }
+  const auto mass = host_copy(m.mass); // of what is left
+  for (int a = 0; a < m.nodes; ++a) mass(a) = 0;
+  const auto corner = host_copy(m.connectivity);
+  for (int e = 0; e < hexes; ++e)
+    for (int a = 0; active(e) && a < 8; ++a) mass(corner(e, a)) += steel.density * edge * edge * edge / 8;
+  Kokkos::deep_copy(m.mass, mass);
   Kokkos::deep_copy(m.active, active), Kokkos::deep_copy(b.groups.of_hex, of_hex);
   Kokkos::deep_copy(b.groups.behind, behind);
   return b;
