@@ -1,12 +1,13 @@
-// m_i c_i dT_i/dt = V_i sum_j V_j k_ij (s_i + s_j) (T_i - T_j) (dW/dr)/r,  k_ij = 2 k_i k_j / (k_i + k_j)
-// Cleary & Monaghan (1999): conservative pair by pair, monotone, and the flux is continuous where k jumps.
-// s_i, the least eigenvalue of K_i, is one over the largest of A = sum_j V_j x_j (-W'/r) x_j: along a free
-// surface, an edge or a sheet A lacks what neighbours there are not, and sum_i s_i t.A_i t, all that a plate
-// or a rod conducts along itself, is what the material does. (The plain sum is 15 % short of it in a plate of
-// 3 rows; e.K_i e in the place of s_i, e the direction of the pair, 5 % above: where K is large across the
-// surface, it counts in pairs that are oblique.) Across a face no heat flows that the sum would lack. Reads
-// temperature, heat_shape (velocity_gradient.cpp), volume, inverse_support, mass. Writes heat (J, rows [0,
-// count + tied)) and the temperature of rows [0, count); heat_state is its own.
+// m_i c_i dT_i/dt = V_i sum_j V_j k_ij e.(S_i + S_j) e (T_i - T_j) (dW/dr)/r,  k_ij = 2 k_i k_j / (k_i + k_j)
+// Cleary & Monaghan (1999), e the direction of the pair: conservative pair by pair, monotone, and the flux is
+// continuous where k jumps. S = s 1, s the least eigenvalue of K, one over the largest of A = K^-1 = sum_j
+// V_j x_j (-W'/r) x_j: along a free surface, an edge or a sheet A lacks what neighbours there are not, and
+// sum_i s_i t.A_i t, all that a plate or a rod conducts along itself, is what the material does. (The plain
+// sum is 15 % short of it in a plate of 3 rows; K in the place of S 5 % above: large across the surface, it
+// counts in pairs that are oblique.) Across a face no heat flows that the sum would lack. Among tied
+// particles, whose volumes fall along the ramp, it does: there S = K. Reads temperature, K in heat_shape
+// (velocity_gradient.cpp), volume, inverse_support, mass. Writes S to heat_shape, heat (J, rows [0, count +
+// tied)) and the temperature of rows [0, count); heat_state is its own.
 #include "copy_to_ghosts.hpp"
 #include "swarf/core/eigen.hpp"
 #include "swarf/material/heat.hpp"
@@ -17,11 +18,15 @@ namespace {
 
 void prepare_heat_state(const Particles& p, const MaterialTable& materials) {
   const MaterialPoints points = p.points;
+  const int count = p.count;
   Kokkos::parallel_for(
       "prepare_heat_state", Range(0, p.count + p.tied), KOKKOS_LAMBDA(int i) {
         p.heat_state(i, 0) = points.temperature(i);
         p.heat_state(i, 1) = conductivity_at(materials(points.material(i)), points.temperature(i));
-        p.heat_state(i, 2) = -largest_eigenvalue(Real(-1) * load_symmetric(p.heat_shape, i));
+        if (i >= count) return;
+        const Real s =
+            -largest_eigenvalue(Real(-1) * load_symmetric(p.heat_shape, i)); // a second time: the same
+        store_symmetric(p.heat_shape, i, {s, s, s, 0, 0, 0});
       });
 }
 
@@ -30,15 +35,17 @@ KOKKOS_INLINE_FUNCTION Pack sum_heat(const Particles& p, const Neighbors& n, int
                                      const Lanes& lanes) {
   const auto x_i = lanes.load_vector(p.position);
   const Pack inverse_support_i = lanes.load(p.inverse_support);
-  const Pack T_i = lanes.load(p.heat_state, 0), k_i = lanes.load(p.heat_state, 1),
-             s_i = lanes.load(p.heat_state, 2);
-  const Pack none(Kokkos::Experimental::norm_min_v<Real>); // k = 0: insulators
+  const Pack T_i = lanes.load(p.heat_state, 0), k_i = lanes.load(p.heat_state, 1);
+  const auto S_i = lanes.load_symmetric(p.heat_shape);
+  const Pack none(Kokkos::Experimental::norm_min_v<Real>); // r = 0: the particle itself; k = 0: insulators
   Pack sum(Real(0));
   for_each_neighbor(n, cluster, [&](int j) {
     const auto x_ij = x_i - broadcast_vector(p.position, j);
     const Pack slope = pair_slope(p.volume(j), x_ij, mean_inverse_h(inverse_support_i, p.inverse_support(j)));
+    const Pack shape =
+        quadratic_form(S_i + broadcast_symmetric(p.heat_shape, j), x_ij) * reciprocal(dot(x_ij, x_ij) + none);
     const Pack k_j(p.heat_state(j, 1)), k_ij = Pack(Real(2)) * k_i * k_j * reciprocal(k_i + k_j + none);
-    sum += (s_i + Pack(p.heat_state(j, 2))) * k_ij * (T_i - Pack(p.heat_state(j, 0))) * slope;
+    sum += shape * k_ij * (T_i - Pack(p.heat_state(j, 0))) * slope;
   });
   return sum;
 }

@@ -17,7 +17,7 @@ ParticleBlock conducting_block(int nx, int ny, int nz, Real spacing, Real disord
   Kokkos::deep_copy(b.materials, materials);
   b.particles.heat = ScalarField("heat", b.particles.count);
   b.particles.heat_shape = SymmetricField("heat_shape", b.particles.count);
-  b.particles.heat_state = View<Real* [3]>("heat_state", b.particles.count);
+  b.particles.heat_state = View<Real* [2]>("heat_state", b.particles.count);
   return b;
 }
 

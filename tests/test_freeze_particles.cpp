@@ -207,7 +207,7 @@ TEST(FreezeParticles, pair_fields_stay_with_their_particles) {
   test::ParticleBlock b = moving_row();
   Particles& p = b.particles;
   p.pressure_state = View<Real* [4]>("pressure_state", p.count);
-  p.heat_state = View<Real* [3]>("heat_state", p.count);
+  p.heat_state = View<Real* [2]>("heat_state", p.count);
   p.heat_shape = SymmetricField("heat_shape", p.count);
   const auto pressure = host_copy(p.pressure_state);
   const auto heat = host_copy(p.heat_state);

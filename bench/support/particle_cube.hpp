@@ -99,7 +99,7 @@ inline ParticleCube make_particle_cube(int64_t size) {
   Kokkos::deep_copy(c.materials, mat);
   Kokkos::deep_copy(p.points.density, mat.density);
   Kokkos::deep_copy(p.points.mass, mat.density * spacing * spacing * spacing);
-  p.heat = ScalarField("heat", p.count), p.heat_state = View<Real* [3]>("heat_state", p.count);
+  p.heat = ScalarField("heat", p.count), p.heat_state = View<Real* [2]>("heat_state", p.count);
   p.heat_shape = SymmetricField("heat_shape", p.count);
   p.hourglass_displacement = VectorField("hourglass_displacement", p.count);
   p.hourglass_rate = VectorField("hourglass_rate", p.count);

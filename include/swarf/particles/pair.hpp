@@ -80,6 +80,13 @@ KOKKOS_FORCEINLINE_FUNCTION void add_product(Vector3Of<Pack>& sum, const Tensor3
   sum.z = sum.z + a.zx * v.x + a.zy * v.y + a.zz * v.z;
 }
 
+// x . a x
+KOKKOS_FORCEINLINE_FUNCTION Pack quadratic_form(const Symmetric3Of<Pack>& a, const Vector3Of<Pack>& x) {
+  const Pack two(Real(2));
+  return x.x * (a.xx * x.x + two * a.xy * x.y) + x.y * (a.yy * x.y + two * a.yz * x.z) +
+         x.z * (a.zz * x.z + two * a.zx * x.x);
+}
+
 // Of tensors that are symmetric.
 KOKKOS_FORCEINLINE_FUNCTION Symmetric3Of<Pack> load_symmetric(const TensorField& f, const Lanes& i) {
   return {i.load(f, 0), i.load(f, 4), i.load(f, 8), i.load(f, 1), i.load(f, 5), i.load(f, 2)};

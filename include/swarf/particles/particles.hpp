@@ -29,8 +29,8 @@ struct Particles {
 
   // What a neighbour needs in the force sum (prepare_pair_state); and D, in points.velocity_gradient.
   TensorField pair_stress;        // K_i of the corrected kernel gradient; then, in its place, sigma K, Pa
-  View<Real* [3]> heat_state;     // T (K), k (W/(m K)) and what heat_shape makes of it, for conduct_heat
-  SymmetricField heat_shape;      // sym K, rows [0, count + tied); both 0 rows without conduction
+  View<Real* [2]> heat_state;     // T (K) and k (W/(m K)), and
+  SymmetricField heat_shape;      // sym K, then what of it weighs pairs: for conduct_heat; 0 rows without
   View<Real* [4]> pressure_state; // p (Pa) and its gradient, for diffuse_pressure; 0 rows without it
   View<Real* [3]> impedance;      // mass-scaled rho c (Pa s/m) and rho (kg/m3), shear modulus (Pa)
   VectorField
@@ -90,7 +90,7 @@ struct Particles {
     visit("impedance", p.impedance, Facts<history, after_drift, before_forces>());
     visit("pair_stress", p.pair_stress, Facts<tensor, pair, before_forces>());
     visit("heat_state", p.heat_state, Facts<pair, in_conduct_heat, with_conduction>());
-    visit("heat_shape", p.heat_shape, Facts<symmetric, with_conduction>());
+    visit("heat_shape", p.heat_shape, Facts<symmetric, pair, in_conduct_heat, with_conduction>());
     visit("pressure_state", p.pressure_state,
           Facts<scalar_and_vector, pair, in_diffuse_pressure, with_pressure_diffusion>());
     visit("surface_shift", p.surface_shift,
