@@ -2,7 +2,7 @@
 // applies, help. Reading, checking, the resolved deck and the reference page all follow these rows.
 #pragma once
 #include "src/deck/deck.hpp"
-#include "src/deck/units.hpp"
+#include "src/units/units.hpp"
 #include <limits>
 #include <variant>
 

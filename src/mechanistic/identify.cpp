@@ -1,6 +1,6 @@
 #include "src/mechanistic/identify.hpp"
-#include "src/deck/units.hpp"
 #include "src/files/results.hpp"
+#include "src/units/units.hpp"
 #include "src/windows/join_windows.hpp"
 #include <Eigen/Dense>
 #include <algorithm>

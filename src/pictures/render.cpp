@@ -2,9 +2,9 @@
 
 #include "src/files/say.hpp"
 #include "src/pictures/captions.hpp"
-#include "src/pictures/display.hpp"
-#include "src/pictures/png.hpp"
 #include "src/pictures/render_view.hpp"
+#include "src/plots/display.hpp"
+#include "src/plots/png.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // The tool alone, seen from where the chip comes and from the finished surface, coloured by what it feels.
 #include "src/files/say.hpp"
 #include "src/pictures/captions.hpp"
-#include "src/pictures/display.hpp"
-#include "src/pictures/png.hpp"
 #include "src/pictures/render.hpp"
 #include "src/pictures/render_view.hpp"
+#include "src/plots/display.hpp"
+#include "src/plots/png.hpp"
 #include "src/tool/geometry.hpp"
 
 #include <fmt/format.h>

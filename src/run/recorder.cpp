@@ -1,4 +1,4 @@
-#include "src/app/recorder.hpp"
+#include "src/run/recorder.hpp"
 #include "src/output/restart_deck.hpp"
 #include "src/output/write_hdf5.hpp"
 #include "src/tool/flat_facets.hpp"

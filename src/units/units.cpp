@@ -1,4 +1,4 @@
-#include "src/deck/units.hpp"
+#include "src/units/units.hpp"
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,6 +1,6 @@
-#include "src/pictures/chart.hpp"
-#include "src/pictures/display.hpp"
-#include "src/pictures/plot.hpp"
+#include "src/plots/chart.hpp"
+#include "src/plots/display.hpp"
+#include "src/plots/plot.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

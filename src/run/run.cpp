@@ -1,9 +1,5 @@
-#include "src/app/run.hpp"
+#include "src/run/run.hpp"
 #include "src/accuracy/accuracy.hpp"
-#include "src/app/progress.hpp"
-#include "src/app/recorder.hpp"
-#include "src/app/signals.hpp"
-#include "src/app/summary.hpp"
 #include "src/check/cost.hpp"
 #include "src/check/scene.hpp"
 #include "src/files/folder_lock.hpp"
@@ -11,6 +7,10 @@
 #include "src/files/say.hpp"
 #include "src/mechanistic/model.hpp"
 #include "src/pictures/pictures.hpp"
+#include "src/run/progress.hpp"
+#include "src/run/recorder.hpp"
+#include "src/run/signals.hpp"
+#include "src/run/summary.hpp"
 #include "src/windows/windows.hpp"
 #include <memory>
 #include <optional>
