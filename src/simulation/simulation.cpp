@@ -127,7 +127,7 @@ void Simulation::update_rates_and_stresses() {
   hex_velocity_gradient(model.hexes, hex_status);
   timer.mark("hexes");
   update_stress(model.particles.points, model.materials, dt, status);
-  if (deck.particles.density == "summation") sum_density(model.particles, lists, model.materials);
+  if (deck.particles.density == DensityRule::summation) sum_density(model.particles, lists, model.materials);
   update_stress(model.hexes.points, model.materials, dt, hex_status, model.hexes.active);
   delete_hexes(model.hexes, hex_method);
   timer.mark("stress");
@@ -141,7 +141,7 @@ void Simulation::smooth_pressure() {
   if (6 * delta * (pressure_time + step_size) <= 0.2 * particle_step) return;
   diffuse_pressure(
       model.particles, lists, model.ghost_planes, model.materials,
-      {Real(delta), Real(pressure_time), Real(step_size), deck.particles.density != "summation"});
+      {Real(delta), Real(pressure_time), Real(step_size), deck.particles.density != DensityRule::summation});
   pressure_time = 0;
   timer.mark("pressure");
 }
@@ -151,7 +151,7 @@ void Simulation::compute_forces() {
   if (deck.particles.hourglass_stiffness > 0 && !particle_method.initial_frame)
     evolve_hourglass(model.particles, model.materials, dt);
   if (has_surfaces()) surface_stress(model.particles, lists, model.ghost_planes);
-  if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles);
+  if (deck.particles.smoothing_length == SmoothingLength::evolving) evolve_smoothing_length(model.particles);
   prepare_pair_state(model.particles, model.materials, particle_method);
   update_ghost_state(model.particles, lists, model.ghost_planes);
   timer.mark("tie and ghosts");

@@ -37,7 +37,7 @@ class Simulation {
   static constexpr long most_unseen_steps = 100; // a fault is seen no later, however rare the samples
   // Energies and extremes of the last check(), mean tool force since the last sample. Throws SimulationFault
   // where the run has made more energy than it was ever given.
-  HistorySample sample();
+  HistorySample take_sample();
   // What the tool's surface has felt since the last call; at first since the start. Not const: it begins
   // anew.
   ToolFields take_tool_fields();

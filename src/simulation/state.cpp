@@ -22,13 +22,14 @@ ParticleMethod particle_method_of(const Deck& deck) {
   m.hourglass_stiffness = Real(deck.particles.hourglass_stiffness);
   m.spacing_ratio = Real(1 / deck.particles.smoothing_ratio);
   m.mass_factor = Real(deck.run.mass_factor);
-  m.initial_frame = deck.particles.kernel_frame == "initial";
+  m.initial_frame = deck.particles.kernel_frame == KernelFrame::initial;
   return m;
 }
 
 HexMethod hex_method_of(const Deck& deck) {
   HexMethod m;
-  m.hourglass = deck.hexes.hourglass == "viscous" ? HourglassControl::viscous : HourglassControl::stiffness;
+  m.hourglass = deck.hexes.hourglass == HourglassMethod::viscous ? HourglassControl::viscous
+                                                                 : HourglassControl::stiffness;
   m.hourglass_coefficient = Real(deck.hexes.hourglass_coefficient);
   m.viscosity_linear = Real(deck.hexes.viscosity_linear);
   m.viscosity_quadratic = Real(deck.hexes.viscosity_quadratic);
@@ -195,7 +196,7 @@ void Simulation::check() {
   timer.mark("checks");
 }
 
-HistorySample Simulation::sample() {
+HistorySample Simulation::take_sample() {
   timer.restart();
   const PointSums &a = of_particles, &b = of_hexes;
   HistorySample s;

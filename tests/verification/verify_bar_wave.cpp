@@ -159,8 +159,8 @@ TEST(BarWave, RodOnRigidWall) {
     const int cells = fill == "hexes" ? 200 : 100;
     Deck deck = bar(shipped_defaults(), fill, cells, End::free);
     deck.bodies[0].velocity = {0, 0, -v0};
-    ToolDeck wall;
-    wall.kind = "wall", wall.size = 2 * length;
+    ToolDeck wall(ToolKind::wall);
+    wall.size = 2 * length;
     deck.tool = wall;
     deck.contact.friction = 0;
     const double side = deck.bodies[0].size[0], area = side * side, mass = density * area * length;
@@ -171,7 +171,7 @@ TEST(BarWave, RodOnRigidWall) {
     double impulse = 0, sum = 0, last = 0;
     int samples = 0;
     run_until(simulation, 3 * transit, [&] {
-      const double t = simulation.time(), force = -simulation.sample().force[2];
+      const double t = simulation.time(), force = -simulation.take_sample().force[2];
       impulse += force * (t - last), last = t;
       if (t > 0.5 * transit && t < 1.5 * transit) sum += force, ++samples;
       ours.x.push_back(1e6 * t), ours.y.push_back(force / plateau);

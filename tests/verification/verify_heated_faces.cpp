@@ -36,9 +36,9 @@ Deck deck_of(const Cooling& cooling) {
   for (BodyDeck& body : deck.bodies) {
     body.temperature = hot;
     for (const char* face : {"y_min", "y_max", "z_min", "z_max"})
-      body.faces.push_back({face, "periodic", {}});
+      body.faces.push_back({face, FaceKind::periodic, {}});
   }
-  FaceDeck face{"x_min", "free", {}};
+  FaceDeck face{"x_min", FaceKind::free, {}};
   face.temperature = ambient;
   if (cooling.film > 0) face.film = cooling.film;
   deck.bodies[0].faces.push_back(face);
@@ -69,7 +69,7 @@ Outcome run(const Cooling& cooling) {
   simulation.start();
   run_until(simulation, end, [] {});
   simulation.check();
-  const HistorySample s = simulation.sample();
+  const HistorySample s = simulation.take_sample();
   const Scene& scene = simulation.scene();
   std::vector<std::pair<double, double>> points;
   const auto add = [&](const VectorField& position, const ScalarField& temperature, int rows) {
