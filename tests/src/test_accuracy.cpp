@@ -221,8 +221,9 @@ TEST(Accuracy, refuses_decks_that_the_chart_says_nothing_about) {
 
 TEST(Accuracy, the_shipped_chart_reads_and_has_choices) {
   for (const std::string tool : {"wedge", "end_mill"}) {
-    const auto found = std::find_if(accuracy_charts().begin(), accuracy_charts().end(),
-                                    [&](const AccuracyChart& c) { return c.tool == tool; });
+    const auto found =
+        std::find_if(accuracy_charts().begin(), accuracy_charts().end(),
+                     [&](const AccuracyChart& c) { return c.tool == value_of_word<ToolKind>(tool); });
     ASSERT_NE(found, accuracy_charts().end()) << tool;
     Deck deck = read_deck(SWARF_SOURCE_DIR "/" + found->deck);
     deck.run.accuracy = 1;
