@@ -26,7 +26,7 @@ Deck shipped() {
     body.velocity[0] = -speed;
     std::erase_if(body.faces, [](const FaceDeck& face) { return face.face == "x_max"; });
     for (FaceDeck& face : body.faces)
-      if (face.kind == "fixed") face = {face.face, "velocity", body.velocity};
+      if (face.kind == FaceKind::fixed) face = {face.face, FaceKind::velocity, body.velocity};
   }
   return deck;
 }
@@ -37,7 +37,7 @@ Deck particle_scene(double n) {
   deck.bodies.resize(1);
   BodyDeck& body = deck.bodies[0];
   body.tie.clear();
-  body.faces.push_back({"y_min", "velocity", body.velocity});
+  body.faces.push_back({"y_min", FaceKind::velocity, body.velocity});
   set_cells(body, n);
   return deck;
 }
@@ -70,7 +70,7 @@ void advance(Simulation& simulation) {
   simulation.step();
   if (simulation.steps_to_check() > 0) return;
   simulation.check();
-  benchmark::DoNotOptimize(simulation.sample());
+  benchmark::DoNotOptimize(simulation.take_sample());
 }
 
 // To the next rebuild; hexes alone have no lists.

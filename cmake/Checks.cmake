@@ -37,7 +37,8 @@ if(NOT SWARF_SANITIZE AND PROJECT_IS_TOP_LEVEL)
 endif()
 if(SWARF_PICTURES AND NOT SWARF_SANITIZE) # what stands in for VTK comes first, so nothing of what draws is linked
   add_executable(swarf_without_vtk
-    ${PROJECT_SOURCE_DIR}/src/output/without_vtk.cpp ${PROJECT_SOURCE_DIR}/src/pictures/without_vtk.cpp)
+    ${PROJECT_SOURCE_DIR}/src/output/without_vtk.cpp ${PROJECT_SOURCE_DIR}/src/plots/without_vtk.cpp
+    ${PROJECT_SOURCE_DIR}/src/pictures/without_vtk.cpp)
   target_link_libraries(swarf_without_vtk PRIVATE swarf_main)
   precompile(swarf_without_vtk REUSE_FROM swarf_kernels)
   add_check(without_vtk package bash ${PROJECT_SOURCE_DIR}/cmake/check_without_vtk.sh

@@ -2,7 +2,7 @@
 # include/swarf keep their path; those of the rooms, "src/ROOM/NAME.hpp", lie below include/swarf/rooms.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/swarf)
-set(exported_rooms files deck geometry tool scene output simulation)
+set(exported_rooms files units deck geometry tool scene output simulation)
 list(TRANSFORM exported_rooms PREPEND swarf_ OUTPUT_VARIABLE exported)
 
 install(TARGETS swarf RUNTIME COMPONENT program)

@@ -14,7 +14,7 @@ swarf::Deck struck_bar(const char* method, double length, double speed) {
   swarf::BodyDeck& bar = deck.bodies[0];
   bar.size = {length, 2e-3, 2e-3};
   bar.velocity = {-speed, 0, 0};
-  bar.faces = {{"x_min", "fixed", {}}};
+  bar.faces = {{"x_min", swarf::FaceKind::fixed, {}}};
   return deck;
 }
 

@@ -136,7 +136,8 @@ Deck planned_deck(const Deck& deck, const AccuracyPlan& plan) {
   if (plan.picked < 0) refuse_asked(deck, plan);
   Deck with = plan.choices[plan.picked].deck;
   AccuracyPick pick;
-  pick.asked = *deck.run.accuracy, pick.why = explain(plan), pick.changes = list_changes(deck, with);
+  pick.asked = *deck.run.accuracy, pick.why = explain(plan);
+  for (const KeyChange& change : list_changes(deck, with)) pick.changes.push_back(describe(change));
   with.picked = pick;
   return with;
 }

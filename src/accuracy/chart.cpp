@@ -47,7 +47,7 @@ WindowsPoint read_windows(const toml::table& table) {
 
 AccuracyChart read_chart(const std::string& tool, const toml::table& table) {
   AccuracyChart chart;
-  chart.tool = tool, chart.title = get<std::string>(table, "title"),
+  chart.tool = value_of_word<ToolKind>(tool), chart.title = get<std::string>(table, "title"),
   chart.deck = get<std::string>(table, "deck");
   chart.where = get<std::string>(table, "where");
   chart.uncertainty = get<double>(table, "uncertainty");

@@ -35,7 +35,7 @@ struct WindowsPoint {
 };
 
 struct AccuracyChart {
-  std::string tool;                    // kind: wedge | end_mill
+  ToolKind tool;                       // wedge or end_mill
   std::string title, deck;             // of the scene that was measured
   std::string where;                   // the mean force was taken: "at immersion 76 to 81 deg"
   double uncertainty = 0;              // of the reference, relative

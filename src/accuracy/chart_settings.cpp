@@ -11,19 +11,20 @@ namespace {
 
 bool is_same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
 
-double thickness(const BodyDeck& b) { return b.shape == "block" ? b.size[2] : b.height; }
-int axial(const BodyDeck& b) { return b.shape == "block" ? 2 : 1; } // direction of cells
+double thickness(const BodyDeck& b) { return b.shape == BodyShape::block ? b.size[2] : b.height; }
+int axial(const BodyDeck& b) { return b.shape == BodyShape::block ? 2 : 1; } // direction of cells
 
 bool is_periodic(const BodyDeck& b) {
-  const std::string low = b.shape == "block" ? "z_min" : "bottom";
-  return std::any_of(b.faces.begin(), b.faces.end(),
-                     [&](const FaceDeck& face) { return face.face == low && face.kind == "periodic"; });
+  const std::string low = b.shape == BodyShape::block ? "z_min" : "bottom";
+  return std::any_of(b.faces.begin(), b.faces.end(), [&](const FaceDeck& face) {
+    return face.face == low && face.kind == FaceKind::periodic;
+  });
 }
 
 // Across the chip. The previous tooth has taken a feed from a ring's bore, where the chip is thickest.
 double spacing_of(const BodyDeck& b, const ToolDeck& tool) {
   if (b.spacing) return *b.spacing;
-  if (b.shape == "block") return b.size[1] / (*b.cells)[1];
+  if (b.shape == BodyShape::block) return b.size[1] / (*b.cells)[1];
   return (b.outer_radius - b.inner_radius + (b.previous_tooth ? tool.feed_per_tooth : 0)) / (*b.cells)[2];
 }
 
@@ -32,9 +33,9 @@ double wave_speed(const MaterialDeck& m) {
   return std::sqrt(m.youngs_modulus.greatest() * (1 - nu) / (1 + nu) / (1 - 2 * nu) / m.density);
 }
 
-int find_zone(const Deck& deck, const std::string& shape) {
+int find_zone(const Deck& deck, BodyShape shape) {
   const auto nearness = [&](const BodyDeck& b) {
-    return shape == "block" ? b.origin[1] + b.size[1] : -b.inner_radius;
+    return shape == BodyShape::block ? b.origin[1] + b.size[1] : -b.inner_radius;
   };
   int zone = -1;
   for (int k = 0; k < int(deck.bodies.size()); ++k) {
@@ -43,8 +44,8 @@ int find_zone(const Deck& deck, const std::string& shape) {
       refuse_accuracy(deck,
                       fmt::format("the chart was measured with the shape \"{}\", and body \"{}\" is a {}. "
                                   "Remove this key and choose the settings yourself",
-                                  shape, body.name, body.shape));
-    if (body.fill == "particles" && (zone < 0 || nearness(body) > nearness(deck.bodies[zone]))) zone = k;
+                                  word_of(shape), body.name, word_of(body.shape)));
+    if (body.fill == Fill::particles && (zone < 0 || nearness(body) > nearness(deck.bodies[zone]))) zone = k;
   }
   if (zone < 0) refuse_accuracy(deck, "the chart is of particles, and this deck has none. Remove this key");
   return zone;
@@ -54,7 +55,7 @@ int find_zone(const Deck& deck, const std::string& shape) {
 void refine_cells(BodyDeck& b, const BodyDeck* tied_to, double finer) {
   const std::array<int, 3> old = *b.cells;
   for (int d = 0; d < 3; ++d) (*b.cells)[d] = std::max(1, int(std::lround(old[d] * finer)));
-  if (!tied_to || !tied_to->cells || b.shape != "ring" || old[0] % (*tied_to->cells)[0] != 0) return;
+  if (!tied_to || !tied_to->cells || b.shape != BodyShape::ring || old[0] % (*tied_to->cells)[0] != 0) return;
   const int hexes = std::max(1, int(std::lround((*tied_to->cells)[0] * finer)));
   (*b.cells)[0] = old[0] / (*tied_to->cells)[0] * hexes;
 }
@@ -74,12 +75,17 @@ void refine(Deck& deck, const Deck& old, const Cut& cut, double spacing) {
 }
 
 // All that lies along the slice becomes thicker or thinner by the same share, so the tool still covers it.
-void set_slice(Deck& deck, const Deck& old, const Cut& cut, int rows, double spacing) {
+struct Slice {
+  int rows;
+  double spacing; // m
+};
+void set_slice(Deck& deck, const Deck& old, const Cut& cut, const Slice& slice) {
+  const auto [rows, spacing] = slice;
   const BodyDeck& zone = old.bodies[cut.zone];
   const double share = rows * spacing / thickness(zone), bottom = zone.origin[2];
   for (std::size_t k = 0; k < deck.bodies.size(); ++k) {
     BodyDeck& body = deck.bodies[k];
-    if (!is_same(share, 1)) (body.shape == "block" ? body.size[2] : body.height) = rows * spacing;
+    if (!is_same(share, 1)) (body.shape == BodyShape::block ? body.size[2] : body.height) = rows * spacing;
     if (!body.cells) continue;
     const double old_rows = find_cells(old, zone)[axial(zone)];
     const double own = (*old.bodies[k].cells)[axial(body)] / old_rows;
@@ -88,7 +94,7 @@ void set_slice(Deck& deck, const Deck& old, const Cut& cut, int rows, double spa
   if (is_same(share, 1)) return;
   ToolDeck& tool = *deck.tool;
   tool.position[2] = bottom + (tool.position[2] - bottom) * share;
-  (tool.kind == "wedge" ? tool.width : tool.length) *= share;
+  (tool.kind == ToolKind::wedge ? tool.width : tool.length) *= share;
   deck.output.force_scale /= share;
 }
 
@@ -104,10 +110,10 @@ double mass_factor(double wave_share) {
 
 void drop_bulk(Deck& deck, const Cut& cut) {
   BodyDeck& zone = deck.bodies[cut.zone];
-  const std::string face = zone.shape == "block" ? "y_min" : "outer";
+  const std::string face = zone.shape == BodyShape::block ? "y_min" : "outer";
   zone.tie.clear();
   std::erase_if(zone.faces, [&](const FaceDeck& one) { return one.face == face; });
-  zone.faces.push_back({face, "fixed", {}});
+  zone.faces.push_back({face, FaceKind::fixed});
   deck.bodies.erase(deck.bodies.begin() + cut.bulk);
 }
 
@@ -119,15 +125,15 @@ void refuse_accuracy(const Deck& deck, const std::string& text) {
 }
 
 Cut find_cut(const Deck& deck) {
-  if (!deck.tool || (deck.tool->kind != "wedge" && deck.tool->kind != "end_mill"))
-    refuse_accuracy(deck,
-                    fmt::format("the chart was measured with an end mill and a wedge, and this deck has {}. "
-                                "Remove this key and choose the settings yourself",
-                                deck.tool ? "a tool of kind \"" + deck.tool->kind + "\"" : "no tool"));
+  if (!deck.tool || (deck.tool->kind != ToolKind::wedge && deck.tool->kind != ToolKind::end_mill))
+    refuse_accuracy(
+        deck, fmt::format("the chart was measured with an end mill and a wedge, and this deck has {}. "
+                          "Remove this key and choose the settings yourself",
+                          deck.tool ? "a tool of kind \"" + word_of(deck.tool->kind) + "\"" : "no tool"));
   const ToolDeck& tool = *deck.tool;
-  const bool is_mill = tool.kind == "end_mill";
+  const bool is_mill = tool.kind == ToolKind::end_mill;
   Cut cut;
-  cut.zone = find_zone(deck, is_mill ? "ring" : "block");
+  cut.zone = find_zone(deck, is_mill ? BodyShape::ring : BodyShape::block);
   const BodyDeck& zone = deck.bodies[cut.zone];
   for (int k = 0; k < int(deck.bodies.size()); ++k)
     if (deck.bodies[k].name == zone.tie) cut.bulk = k;
@@ -186,7 +192,7 @@ Deck put_settings(const Deck& deck, const Cut& cut, const ChartPoint& point) {
   with.run.accuracy.reset(), with.run.accuracy_line = 0;
   const double spacing = cut.chip / point.chip_rows;
   refine(with, deck, cut, spacing);
-  if (cut.is_slice) set_slice(with, deck, cut, point.slice_rows, spacing);
+  if (cut.is_slice) set_slice(with, deck, cut, {point.slice_rows, spacing});
   if (!point.bulk && cut.bulk >= 0) drop_bulk(with, cut);
   with.run.mass_factor = mass_factor(cut.wave / (point.wave_over_speed * cut.speed));
   with.run.courant = point.courant;
@@ -199,7 +205,7 @@ Deck put_settings(const Deck& deck, const Cut& cut, const ChartPoint& point) {
 double predict_core_seconds(const Deck& with, const Cut& cut, const ChartPoint& point) {
   double particles = 0;
   for (const BodyDeck& body : with.bodies)
-    if (body.fill == "particles") particles += count_cells(with, body);
+    if (body.fill == Fill::particles) particles += count_cells(with, body);
   const double step = point.step * cut.chip / point.chip_rows * std::sqrt(with.run.mass_factor) / cut.wave;
   return particles * end_time_of(with) / step * point.seconds_per_particle_step;
 }

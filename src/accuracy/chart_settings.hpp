@@ -40,7 +40,13 @@ Deck put_settings(const Deck& deck, const Cut& cut, const ChartPoint& point);
 // Predicted for the deck with the point's settings, on one core of the machine that measured the chart.
 double predict_core_seconds(const Deck& with_settings, const Cut& cut, const ChartPoint& point);
 
-// The keys that differ: `[body "cut zone"] spacing = "2.5e-06 m", was "5e-06 m"`.
-std::vector<std::string> list_changes(const Deck& before, const Deck& after);
+// A key whose value differs in its first six digits, as TOML; "" where a deck does not have it. Without a
+// key: a section that only one of them has.
+struct KeyChange {
+  std::string section, key, now, was;
+};
+std::vector<KeyChange> list_changes(const Deck& before, const Deck& after);
+// `[body "cut zone"] spacing = "2.5e-06 m", was "5e-06 m"`.
+std::string describe(const KeyChange& change);
 
 } // namespace swarf

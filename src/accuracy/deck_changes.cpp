@@ -1,83 +1,121 @@
-// What was changed in a deck, from the resolved texts, so that no key can be forgotten.
+// What differs between two decks, by the rows of their keys, so that none can be forgotten.
 #include "src/accuracy/chart_settings.hpp"
-#include "src/output/restart_deck.hpp"
+#include "src/deck/section.hpp"
 #include <fmt/format.h>
-#include <map>
-#include <regex>
-#include <sstream>
 
 namespace swarf {
 namespace {
 
-using Section = std::vector<std::pair<std::string, std::string>>; // keys and values in order
+constexpr int digits = 6; // what differs beyond is round-off of what was set
 
-// 17 digits as 6: for reading.
-std::string shorten(const std::string& text) {
-  static const std::regex number(R"([-+]?[0-9]+\.?[0-9]*(e[-+]?[0-9]+)?)");
-  std::string result;
-  auto at = text.cbegin();
-  for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found) {
-    result.append(at, text.cbegin() + found->position());
-    const std::string digits = found->str();
-    result += digits.size() > 7 ? fmt::format("{:.6g}", std::stod(digits)) : digits;
-    at = text.cbegin() + found->position() + found->length();
-  }
-  return result.append(at, text.cend());
-}
+struct Changes {
+  std::vector<KeyChange> all;
 
-// Sections by name; bodies and their faces by the body's.
-std::vector<std::pair<std::string, Section>> split(const std::string& resolved) {
-  std::vector<std::pair<std::string, Section>> sections{{"", {}}};
-  std::istringstream in(resolved);
-  std::string line, body;
-  while (std::getline(in, line)) {
-    const auto equals = line.find(" = ");
-    if (line == "[[output.published]]") break; // lines in a picture: no settings
-    if (line.starts_with('[')) {
-      sections.push_back({line == "[body.faces]" ? "[body " + body + " faces]" : line, {}});
-    } else if (equals != line.npos && !line.starts_with('#')) {
-      const std::string key = line.substr(0, equals), value = line.substr(equals + 3);
-      auto& [name, section] = sections.back();
-      if (name == "[[body]]" && key == "name") body = value, name = "[body " + value + "]";
-      section.emplace_back(key, value);
+  template <class Section>
+  void compare(const std::string& name, const Keys<Section>& keys, const Section& before,
+               const Section& after) {
+    for (const auto& key : keys) {
+      if (key.name == "accuracy") continue; // asks for changes, and is none
+      const std::string was = applies(keys, key, before) ? write_field(key, before, digits) : "";
+      const std::string now = applies(keys, key, after) ? write_field(key, after, digits) : "";
+      if (now != was) all.push_back({name, key.name, now, was});
     }
   }
-  return sections;
+
+  // Sections that a deck may have or not: pointers, null for none.
+  template <class Section>
+  void compare_if_there(const std::string& name, const Keys<Section>& keys, const Section* before,
+                        const Section* after) {
+    if (before && after)
+      compare(name, keys, *before, *after);
+    else if (before)
+      all.push_back({name, "", "", ""});
+    else if (after)
+      for (const auto& key : keys)
+        if (applies(keys, key, *after))
+          if (const std::string now = write_field(key, *after, digits); !now.empty())
+            all.push_back({name, key.name, now, ""});
+  }
+
+  void compare_faces(const BodyDeck& before, const BodyDeck& after);
+};
+
+std::string show(const FaceDeck& face) {
+  std::string text = word_of(face.kind);
+  for (const auto& key : face_keys())
+    if (const std::string value = write_field(key, face, digits); !value.empty() && key.name != "fixed")
+      text += fmt::format(", {} = {}", key.name, value);
+  return text;
+}
+
+template <class Section>
+const Section* find_named(const std::vector<Section>& sections, const std::string& name) {
+  for (const Section& section : sections)
+    if (section.name == name) return &section;
+  return nullptr;
+}
+
+const FaceDeck* find_face(const BodyDeck& body, const std::string& name) {
+  for (const FaceDeck& face : body.faces)
+    if (face.face == name) return &face;
+  return nullptr;
+}
+
+void Changes::compare_faces(const BodyDeck& before, const BodyDeck& after) {
+  const std::string name = fmt::format("[body \"{}\" faces]", after.name);
+  for (const FaceDeck& face : after.faces) {
+    const FaceDeck* old = find_face(before, face.face);
+    const std::string now = show(face), was = old ? show(*old) : "";
+    if (now != was) all.push_back({name, face.face, now, was});
+  }
+  for (const FaceDeck& face : before.faces)
+    if (!find_face(after, face.face)) all.push_back({name, face.face, "", show(face)});
+}
+
+template <class Section>
+const Section* pointer_to(const std::optional<Section>& section) {
+  return section ? &*section : nullptr;
 }
 
 } // namespace
 
-std::vector<std::string> list_text_changes(const std::string& before, const std::string& after,
-                                           bool exactly) {
-  std::map<std::string, std::map<std::string, std::string>> old, now;
-  const auto old_sections = split(before), sections = split(after);
-  for (const auto& [name, section] : old_sections) old[name].insert(section.begin(), section.end());
-  for (const auto& [name, section] : sections) now[name].insert(section.begin(), section.end());
-  std::vector<std::string> changes;
-  for (const auto& [name, section] : old_sections)
-    if (!now.contains(name)) changes.push_back(name + " left out");
-  for (const auto& [name, section] : sections) {
-    for (const auto& [key, value] : section) {
-      const auto was = old[name].find(key);
-      std::string new_text = shorten(value);
-      if (was == old[name].end()) {
-        changes.push_back(fmt::format("{} {} = {}", name, key, new_text));
-        continue;
-      }
-      std::string old_text = shorten(was->second);
-      if (exactly && old_text == new_text) old_text = was->second, new_text = value;
-      if (old_text != new_text)
-        changes.push_back(fmt::format("{} {} = {}, was {}", name, key, new_text, old_text));
-    }
-    for (const auto& [key, value] : old[name])
-      if (!now[name].contains(key) && key != "accuracy")
-        changes.push_back(fmt::format("{} {} left out", name, key));
+std::vector<KeyChange> list_changes(const Deck& before, const Deck& after) {
+  Changes changes;
+  const auto material = [](const std::string& name) { return fmt::format("[material.{}]", name); };
+  const auto body = [](const std::string& name) { return fmt::format("[body \"{}\"]", name); };
+  changes.compare("", top_keys(), before, after);
+  for (const MaterialDeck& old : before.materials)
+    if (!find_named(after.materials, old.name)) changes.all.push_back({material(old.name), "", "", ""});
+  for (const BodyDeck& old : before.bodies)
+    if (!find_named(after.bodies, old.name)) changes.all.push_back({body(old.name), "", "", ""});
+  for (const MaterialDeck& now : after.materials)
+    changes.compare_if_there(material(now.name), material_keys(), find_named(before.materials, now.name),
+                             &now);
+  for (const BodyDeck& now : after.bodies) {
+    const BodyDeck* old = find_named(before.bodies, now.name);
+    changes.compare_if_there(body(now.name), body_keys(), old, &now);
+    if (old) changes.compare_faces(*old, now);
   }
-  return changes;
+  changes.compare_if_there("[tool]", tool_keys(), pointer_to(before.tool), pointer_to(after.tool));
+  if (before.tool && after.tool) changes.compare("[contact]", contact_keys(), before.contact, after.contact);
+  changes.compare("[particles]", particles_keys(), before.particles, after.particles);
+  changes.compare("[hexes]", hexes_keys(), before.hexes, after.hexes);
+  changes.compare("[sleep]", sleep_keys(), before.sleep, after.sleep);
+  changes.compare("[retire]", retire_keys(), before.retire, after.retire);
+  changes.compare("[run]", run_keys(), before.run, after.run);
+  changes.compare_if_there("[windows]", windows_keys(), pointer_to(before.windows),
+                           pointer_to(after.windows));
+  changes.compare_if_there("[mechanistic]", mechanistic_keys(), pointer_to(before.mechanistic),
+                           pointer_to(after.mechanistic));
+  changes.compare("[output]", output_keys(), before.output, after.output);
+  return changes.all;
 }
 
-std::vector<std::string> list_changes(const Deck& before, const Deck& after) {
-  return list_text_changes(resolved_deck(before), resolved_deck(after), false);
+std::string describe(const KeyChange& change) {
+  if (change.key.empty()) return change.section + " left out";
+  if (change.now.empty()) return fmt::format("{} {} left out", change.section, change.key);
+  const std::string now = fmt::format("{} {} = {}", change.section, change.key, change.now);
+  return change.was.empty() ? now : fmt::format("{}, was {}", now, change.was);
 }
 
 } // namespace swarf

@@ -23,8 +23,8 @@ std::string describe_method(const ChartPoint& point, const Choice& choice, const
   Deck usual = choice.deck;
   usual.particles = usual_method(plan);
   std::vector<std::string> parts;
-  for (const std::string& change : list_changes(usual, choice.deck))
-    parts.push_back(change.substr(change.find("] ") + 2, change.find(", was") - change.find("] ") - 2));
+  for (const KeyChange& change : list_changes(usual, choice.deck))
+    parts.push_back(fmt::format("{} = {}", change.key, change.now));
   if (point.sleep_rows > 0)
     parts.push_back(fmt::format("frozen beyond {:.3g} um", 1e6 * *choice.deck.sleep.distance));
   if (!point.bulk) parts.push_back("no hexes");

@@ -1,10 +1,10 @@
 #include "src/app/check.hpp"
 #include "src/accuracy/accuracy.hpp"
-#include "src/app/run.hpp"
 #include "src/check/cost.hpp"
 #include "src/check/scene.hpp"
 #include "src/geometry/shape.hpp"
 #include "src/pictures/draw_scene.hpp"
+#include "src/run/run.hpp"
 #include "src/scene/hex_conversion.hpp"
 #include "src/simulation/simulation.hpp"
 #include "src/windows/windows.hpp"
@@ -44,7 +44,7 @@ double mass_of(const Scene& scene) {
 
 // Uncut chip: the feed per tooth of a mill; a wedge cuts what lies above its edge.
 double uncut_chip(const Deck& deck, const Scene& scene) {
-  if (deck.tool->kind == "end_mill") return deck.tool->feed_per_tooth;
+  if (deck.tool->kind == ToolKind::end_mill) return deck.tool->feed_per_tooth;
   const auto x = host_copy(scene.particles.position);
   const auto node = host_copy(scene.hexes.position);
   double top = -1e300;
@@ -56,7 +56,7 @@ double uncut_chip(const Deck& deck, const Scene& scene) {
 void check_cutting(const Deck& deck, const Scene& scene, Findings& found) {
   if (!deck.tool || (scene.particles.count == 0 && !scene.conversion)) return;
   const ToolDeck& tool = *deck.tool;
-  const bool cuts = tool.kind == "end_mill" || tool.kind == "wedge";
+  const bool cuts = tool.kind == ToolKind::end_mill || tool.kind == ToolKind::wedge;
   if (!cuts) return;
   const double chip = uncut_chip(deck, scene) / scene.spacing, edge = tool.edge_radius / scene.spacing;
   found.line("particles per uncut chip", "{:.1f}", chip);
@@ -77,7 +77,7 @@ void check_inertia(const Deck& deck, Findings& found) {
                                 tool.spindle_speed * tool.diameter / 2);
   if (speed == 0) return;
   for (const MaterialDeck& m : deck.materials) {
-    if (m.law == "rigid") continue;
+    if (m.law == Law::rigid) continue;
     const double E = m.youngs_modulus.greatest();
     const double K = E / 3 / (1 - 2 * m.poissons_ratio), G = E / 2 / (1 + m.poissons_ratio);
     const double c = std::sqrt((K + 4 * G / 3) / m.density / deck.run.mass_factor);

@@ -1,10 +1,10 @@
 #include "src/app/mechanistic.hpp"
-#include "src/app/run.hpp"
 #include "src/files/folder_lock.hpp"
 #include "src/files/results.hpp"
 #include "src/files/say.hpp"
 #include "src/mechanistic/identify.hpp"
 #include "src/pictures/pictures.hpp"
+#include "src/run/run.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -16,8 +16,8 @@ bool are_tied(const BodyDeck& a, const BodyDeck& b) { return a.tie == b.name || 
 // Particles of two bodies feel each other by their kernels, pull as well as push, where no contact takes
 // their place.
 bool feel(const Deck& deck, const BodyDeck& a, const BodyDeck& b) {
-  return a.fill == "particles" && b.fill == "particles" && deck.particles.kernel_frame != "initial" &&
-         !can_meet(deck, a, b);
+  return a.fill == Fill::particles && b.fill == Fill::particles &&
+         deck.particles.kernel_frame != KernelFrame::initial && !can_meet(deck, a, b);
 }
 
 // Centres or nodes of each body, and how far its own surface lies around them.
@@ -137,17 +137,18 @@ class BodyCheck {
   }
 
   std::string advice(const BodyDeck& one, const BodyDeck& other) const {
-    const std::string& taken = one.fill == "hexes" ? other.tie : one.tie;
+    const std::string& taken = one.fill == Fill::hexes ? other.tie : one.tie;
     if (one.fill != other.fill && taken.empty())
-      return fmt::format("Give the particles tie = \"{}\"", one.fill == "hexes" ? one.name : other.name);
+      return fmt::format("Give the particles tie = \"{}\"", one.fill == Fill::hexes ? one.name : other.name);
     return "Make them one body, or fill one with particles and tie it to the other";
   }
 
   // What lets two bodies feel each other that would pass through.
   std::string remedy(const BodyDeck& one, const BodyDeck& other) const {
     if (one.fill != "particles" || other.fill != "particles")
-      return deck.contact.between_bodies == "none" ? "Leave contact.between_bodies = \"none\" out"
-                                                   : "Other bodies tie them together";
+      return deck.contact.between_bodies == BetweenBodies::none
+                 ? "Leave contact.between_bodies = \"none\" out"
+                 : "Other bodies tie them together";
     return "Take kernel_frame = \"current\", or contact.between_bodies = \"all\"";
   }
 
@@ -175,14 +176,15 @@ class BodyCheck {
   }
 
   static bool is_held(const BodyDeck& body) {
-    return std::any_of(body.faces.begin(), body.faces.end(),
-                       [](const FaceDeck& face) { return face.kind != "periodic" && face.kind != "free"; });
+    return std::any_of(body.faces.begin(), body.faces.end(), [](const FaceDeck& face) {
+      return face.kind != FaceKind::periodic && face.kind != FaceKind::free;
+    });
   }
 
   // The surface of a body of particles is half a cell beyond their centres: half of the least edge.
   void look_at_cells() {
     for (const BodyDeck& body : deck.bodies) {
-      if (body.shape != "block" || body.fill != "particles") continue;
+      if (body.shape != BodyShape::block || body.fill != Fill::particles) continue;
       const Triple cells = find_cells(deck, body);
       Triple edge;
       for (std::size_t c = 0; c < 3; ++c) edge[c] = body.size[c] / cells[c];
@@ -194,7 +196,7 @@ class BodyCheck {
                         body.name, body.line, *most / *least));
       for (const FaceDeck& face : body.faces) {
         const std::size_t axis = std::size_t(face.face[0] - 'x');
-        const bool held = face.kind == "fixed" || face.kind == "velocity";
+        const bool held = face.kind == FaceKind::fixed || face.kind == FaceKind::velocity;
         if (held && axis < 3 && cells[axis] <= 2)
           warnings.push_back(
               fmt::format("body \"{}\" of line {} has {} layer(s) of particles across its held face "

@@ -12,7 +12,7 @@ constexpr double most_heat_steps = 1e3; // in a step: all time would go there
 
 const MaterialDeck& fastest_conductor(const Deck& deck) {
   const auto diffusivity = [](const MaterialDeck& m) { // the tool takes steps of its own
-    return m.law == "rigid" ? 0 : m.conductivity.greatest() / m.density / m.specific_heat.least();
+    return m.law == Law::rigid ? 0 : m.conductivity.greatest() / m.density / m.specific_heat.least();
   };
   return *std::max_element(
       deck.materials.begin(), deck.materials.end(),
@@ -29,7 +29,7 @@ double wave_speed(const MaterialDeck& m) {
 void refuse_fast_waves(const Deck& deck) {
   constexpr double fastest = 1e5; // m/s
   for (const MaterialDeck& m : deck.materials) {
-    if (m.law == "rigid" || !(wave_speed(m) > fastest)) continue;
+    if (m.law == Law::rigid || !(wave_speed(m) > fastest)) continue;
     const std::string key = m.density < 100                      ? "density"
                             : m.youngs_modulus.greatest() > 2e12 ? "youngs_modulus"
                                                                  : "poissons_ratio";

@@ -17,8 +17,8 @@ constexpr int probe_cells = 14; // along each edge: so few that ten steps take a
 // A block of the body's cells, alone, with the deck's methods.
 Deck probe_of(const Deck& deck, const BodyDeck& body, double cell) {
   Deck probe = deck;
-  BodyDeck block;
-  block.name = "probe", block.shape = "block", block.fill = body.fill, block.material = body.material;
+  BodyDeck block(BodyShape::block, body.fill);
+  block.name = "probe", block.material = body.material;
   block.size = {probe_cells * cell, probe_cells * cell, probe_cells * cell};
   block.cells = {probe_cells, probe_cells, probe_cells};
   block.temperature = body.temperature, block.line = body.line;
@@ -56,13 +56,13 @@ Box box_of(const BodyDeck& b) {
     box.grow({b.origin[0] - radius, b.origin[1] - radius, b.origin[2] + low});
     box.grow({b.origin[0] + radius, b.origin[1] + radius, b.origin[2] + high});
   };
-  if (b.shape == "block") {
+  if (b.shape == BodyShape::block) {
     box.grow(b.origin);
     box.grow({b.origin[0] + b.size[0], b.origin[1] + b.size[1], b.origin[2] + b.size[2]});
-  } else if (b.shape == "sphere") {
+  } else if (b.shape == BodyShape::sphere) {
     round(b.outer_radius, -b.outer_radius, b.outer_radius);
   } else {
-    round(b.shape == "cylinder" ? b.radius : b.outer_radius, 0, b.height);
+    round(b.shape == BodyShape::cylinder ? b.radius : b.outer_radius, 0, b.height);
   }
   return box;
 }
@@ -85,7 +85,7 @@ SceneReport estimate_large(const Deck& deck) {
     const Box box = box_of(body);
     bodies.add(box);
     line(fmt::format("box of \"{}\"", body.name),
-         describe_box(box) + fmt::format(", {:.4g} {}", count, body.fill));
+         describe_box(box) + fmt::format(", {:.4g} {}", count, word_of(body.fill)));
   }
   const double end = end_time_of(deck), steps = std::ceil(end / step);
   line("time step", fmt::format("about {:.3g} s", step));

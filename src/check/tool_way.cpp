@@ -84,7 +84,7 @@ void warn_if_it_misses(const Deck& deck, const Scene& scene, std::vector<std::st
 }
 
 void warn_of_size(const Deck& deck, const Scene& scene, std::vector<std::string>& warnings) {
-  if (deck.tool->kind != "stl") return;
+  if (deck.tool->kind != ToolKind::stl) return;
   Box bodies;
   for (const Box& box : boxes_of_bodies(deck, scene)) bodies.add(box);
   const double tool = box_of_tool(deck, scene, 0).diagonal(), ratio = tool / bodies.diagonal();
@@ -173,7 +173,7 @@ void warn_of_gaps(const Deck& deck, const Scene& scene, std::vector<std::string>
 
 bool is_slice(const BodyDeck& body) {
   return std::any_of(body.faces.begin(), body.faces.end(), [](const FaceDeck& f) {
-    return f.kind == "periodic" && (f.face == "z_min" || f.face == "bottom");
+    return f.kind == FaceKind::periodic && (f.face == "z_min" || f.face == "bottom");
   });
 }
 
@@ -187,16 +187,16 @@ void warn_of_width(const Deck& deck, const Scene& scene, std::vector<std::string
     if (!is_slice(deck.bodies[b]) || boxes[b].empty()) continue;
     const double tolerance = 1e-6 * (boxes[b].high[2] - boxes[b].low[2]);
     if (low <= boxes[b].low[2] + tolerance && high >= boxes[b].high[2] - tolerance) continue;
-    const std::string& kind = deck.tool->kind;
+    const ToolKind kind = deck.tool->kind;
     warnings.push_back(fmt::format(
         "the tool is narrower than the periodic slice \"{}\": along z it reaches from {} to {}, the slice "
         "from {} to {}. Take a larger tool.{}, or move tool.position",
         deck.bodies[b].name, describe_length(low), describe_length(high), describe_length(boxes[b].low[2]),
         describe_length(boxes[b].high[2]),
-        kind == "wedge"      ? "width"
-        : kind == "end_mill" ? "length"
-        : kind == "stl"      ? "file_scale"
-                             : "size"));
+        kind == ToolKind::wedge      ? "width"
+        : kind == ToolKind::end_mill ? "length"
+        : kind == ToolKind::stl      ? "file_scale"
+                                     : "size"));
     return;
   }
 }

@@ -17,19 +17,19 @@ bool is_whole_ring(const BodyDeck& body) {
 }
 
 double find_least_size(const BodyDeck& body) {
-  if (body.shape == "block") return *std::min_element(body.size.begin(), body.size.end());
-  if (body.shape == "cylinder") return std::min(2 * body.radius, body.height);
+  if (body.shape == BodyShape::block) return *std::min_element(body.size.begin(), body.size.end());
+  if (body.shape == BodyShape::cylinder) return std::min(2 * body.radius, body.height);
   const double wall = body.outer_radius - body.inner_radius;
-  if (body.shape == "ring") return std::min(wall, body.height);
+  if (body.shape == BodyShape::ring) return std::min(wall, body.height);
   return body.inner_radius > 0 ? wall : 2 * body.outer_radius;
 }
 
 double find_volume(const BodyDeck& body) {
   constexpr double pi = std::numbers::pi;
   const double outer = body.outer_radius, inner = body.inner_radius;
-  if (body.shape == "block") return body.size[0] * body.size[1] * body.size[2];
-  if (body.shape == "cylinder") return pi * body.radius * body.radius * body.height;
-  if (body.shape == "ring")
+  if (body.shape == BodyShape::block) return body.size[0] * body.size[1] * body.size[2];
+  if (body.shape == BodyShape::cylinder) return pi * body.radius * body.radius * body.height;
+  if (body.shape == BodyShape::ring)
     return (body.end_angle - body.start_angle) / 2 * (outer - inner) * (outer + inner) * body.height;
   return 4 * pi / 3 * (outer * outer * outer - inner * inner * inner);
 }
@@ -50,23 +50,25 @@ void check_resolution(const BodyDeck& body, const toml::table& table, DeckReport
   } else if (body.cells) {
     for (int cells : *body.cells) count = (count == 0 ? 1 : count) * cells;
   } else {
-    const bool has_cells = body.shape != "sphere";
+    const bool has_cells = body.shape != BodyShape::sphere;
     return report.add(table, "body.spacing",
                       std::string("is missing. Give spacing = \"2.5 um\"") +
                           (has_cells ? ", or the exact counts by cells" : ""));
   }
   if (!(count <= most)) // also NaN
-    report.add(
-        find_place(table, body.spacing ? "spacing" : "cells"), body.spacing ? "body.spacing" : "body.cells",
-        fmt::format("makes {:.3g} {}, more than {:.0e}. Make the cells larger", count, body.fill, most));
+    report.add(find_place(table, body.spacing ? "spacing" : "cells"),
+               body.spacing ? "body.spacing" : "body.cells",
+               fmt::format("makes {:.3g} {}, more than {:.0e}. Make the cells larger", count,
+                           word_of(body.fill), most));
 }
 
 void check_sizes(const BodyDeck& body, const toml::table& table, DeckReport& report) {
-  if ((body.shape == "ring" || body.shape == "sphere") && body.inner_radius >= body.outer_radius)
+  if ((body.shape == BodyShape::ring || body.shape == BodyShape::sphere) &&
+      body.inner_radius >= body.outer_radius)
     report.add(find_place(table, "inner_radius"), "body.inner_radius",
                fmt::format("expected less than outer_radius = {} m, got {} m", body.outer_radius,
                            body.inner_radius));
-  if (body.shape != "ring") return;
+  if (body.shape != BodyShape::ring) return;
   const double turn = body.end_angle - body.start_angle;
   if (turn <= 0 || turn > whole_turn * (1 + 1e-12))
     report.add(
@@ -84,17 +86,17 @@ void check_faces(const BodyDeck& body, const toml::table& table, DeckReport& rep
     const toml::node& place = find_place(*faces, face.face);
     if (std::find(known.begin(), known.end(), face.face) == known.end()) {
       report.add(place, key,
-                 fmt::format("this {} has no such face. It has {}.{}", body.shape, fmt::join(known, ", "),
-                             suggest(face.face, known)));
+                 fmt::format("this {} has no such face. It has {}.{}", word_of(body.shape),
+                             fmt::join(known, ", "), suggest(face.face, known)));
       continue;
     }
     const std::string opposite = find_opposite(face.face);
-    if (face.kind == "symmetric" && opposite.empty())
+    if (face.kind == FaceKind::symmetric && opposite.empty())
       report.add(place, key,
                  "a symmetric face must be plane, this one is curved. Use \"fixed\" or a velocity");
-    if (face.kind != "periodic") continue;
+    if (face.kind != FaceKind::periodic) continue;
     const bool is_paired = std::any_of(body.faces.begin(), body.faces.end(), [&](const FaceDeck& other) {
-      return other.face == opposite && other.kind == "periodic";
+      return other.face == opposite && other.kind == FaceKind::periodic;
     });
     if (opposite.empty())
       report.add(place, key, "a curved face cannot be periodic. Use \"fixed\" or a velocity");
@@ -104,7 +106,7 @@ void check_faces(const BodyDeck& body, const toml::table& table, DeckReport& rep
   }
 }
 
-bool melts(const MaterialDeck& m) { return m.law == "johnson_cook" || m.law == "johnson_cook_tanh"; }
+bool melts(const MaterialDeck& m) { return m.law == Law::johnson_cook || m.law == Law::johnson_cook_tanh; }
 
 std::vector<std::string> names_in_library() {
   std::vector<std::string> names;
@@ -138,7 +140,7 @@ void check_names(const Deck& deck, const toml::array& bodies, DeckReport& report
 void check_ties(const Deck& deck, const toml::array& bodies, DeckReport& report) {
   std::vector<std::string> hex_bodies;
   for (const BodyDeck& body : deck.bodies)
-    if (body.fill == "hexes") hex_bodies.push_back(body.name);
+    if (body.fill == Fill::hexes) hex_bodies.push_back(body.name);
   for (std::size_t i = 0; i < deck.bodies.size(); ++i) {
     const BodyDeck& body = deck.bodies[i];
     if (body.tie.empty() || std::find(hex_bodies.begin(), hex_bodies.end(), body.tie) != hex_bodies.end())
@@ -179,8 +181,9 @@ void check_slice(const Deck& deck, const toml::table& root, DeckReport& report) 
   const bool leans = deck.tool->helix != 0 || deck.tool->inclination != 0;
   for (const BodyDeck& body : deck.bodies)
     for (const FaceDeck& face : body.faces) {
-      if (!leans || face.kind != "periodic" || (face.face != "z_min" && face.face != "bottom")) continue;
-      const std::string key = deck.tool->kind == "wedge" ? "inclination" : "helix";
+      if (!leans || face.kind != FaceKind::periodic || (face.face != "z_min" && face.face != "bottom"))
+        continue;
+      const std::string key = deck.tool->kind == ToolKind::wedge ? "inclination" : "helix";
       return report.add(
           find_place(*root["tool"].as_table(), key), "tool." + key,
           fmt::format("an edge that leans does not go with the periodic slice \"{}\" of line {}, which "
@@ -200,9 +203,9 @@ std::string describe_missing(const std::string& material, const std::vector<std:
 }
 
 std::vector<std::string> list_faces(const BodyDeck& body) {
-  if (body.shape == "block") return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
-  if (body.shape == "cylinder") return {"bottom", "top", "side"};
-  if (body.shape == "sphere")
+  if (body.shape == BodyShape::block) return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+  if (body.shape == BodyShape::cylinder) return {"bottom", "top", "side"};
+  if (body.shape == BodyShape::sphere)
     return body.inner_radius > 0 ? std::vector<std::string>{"inner", "outer"}
                                  : std::vector<std::string>{"outer"};
   if (is_whole_ring(body)) return {"inner", "outer", "bottom", "top"};
@@ -221,7 +224,7 @@ std::string find_opposite(const std::string& face) {
 
 void check_material(const MaterialDeck& material, const toml::table& table, DeckReport& report) {
   const std::string path = "material." + material.name;
-  if (material.law == "zerilli_armstrong" && material.C0 + material.C1 <= 0)
+  if (material.law == Law::zerilli_armstrong && material.C0 + material.C1 <= 0)
     report.add(find_place(table, "C0"), path + ".C0",
                "expected C0 + C1 > 0: without them the material has no strength before it hardens. Give one "
                "of them");
@@ -240,23 +243,24 @@ void check_body(const BodyDeck& body, const toml::table& table, DeckReport& repo
 }
 
 void check_tool(ToolDeck& tool, const toml::table& table, const StlPlace& place, DeckReport& report) {
-  if (tool.kind == "end_mill" && 2 * tool.runout >= tool.diameter)
+  if (tool.kind == ToolKind::end_mill && 2 * tool.runout >= tool.diameter)
     report.add(find_place(table, "runout"), "tool.runout",
                fmt::format("expected less than the mill's radius of {} m, got {} m", tool.diameter / 2,
                            tool.runout));
-  if (tool.kind == "end_mill" && 2 * tool.edge_radius >= tool.diameter)
+  if (tool.kind == ToolKind::end_mill && 2 * tool.edge_radius >= tool.diameter)
     report.add(find_place(table, "edge_radius"), "tool.edge_radius",
                fmt::format("expected less than the mill's radius of {} m, got {} m", tool.diameter / 2,
                            tool.edge_radius));
-  if ((tool.kind == "end_mill" || tool.kind == "wedge") && tool.rake + tool.clearance >= whole_turn / 4)
+  if ((tool.kind == ToolKind::end_mill || tool.kind == ToolKind::wedge) &&
+      tool.rake + tool.clearance >= whole_turn / 4)
     report.add(find_place(table, "clearance"), "tool.clearance",
                "rake and clearance leave nothing of the tool: together they must be less than 90 deg");
   const double edge_height = tool.edge_radius * (1 + std::sin(tool.rake));
-  if (tool.kind == "wedge" && edge_height >= tool.height)
+  if (tool.kind == ToolKind::wedge && edge_height >= tool.height)
     report.add(find_place(table, "height"), "tool.height",
                fmt::format("expected more than the {} m that the rounded edge takes, got {} m", edge_height,
                            tool.height));
-  if (tool.kind == "wedge" && tool.velocity == Triple{})
+  if (tool.kind == ToolKind::wedge && tool.velocity == Triple{})
     report.add(find_place(table, "velocity"), "tool.velocity",
                "a wedge must move. Give one component a speed");
   if (tool.lift_time && tool.lift_velocity == Triple{})
@@ -270,7 +274,7 @@ void check_tool(ToolDeck& tool, const toml::table& table, const StlPlace& place,
     std::error_code ignored;
     tool.temperature_from = fs::absolute(tool.temperature_from, ignored).lexically_normal().string();
   }
-  if (tool.kind != "stl") return;
+  if (tool.kind != ToolKind::stl) return;
   std::error_code error;
   fs::path path = fs::absolute(fs::path(place.deck).parent_path() / tool.file, error).lexically_normal();
   if (!fs::is_regular_file(path, error) && fs::is_regular_file(place.instead, error))
@@ -296,7 +300,7 @@ void check_deck(const Deck& deck, const toml::table& root, DeckReport& report) {
   check_slice(deck, root, report);
   check_methods(deck, root, report);
   for (std::size_t i = 0; i < deck.bodies.size(); ++i)
-    if (deck.bodies[i].previous_tooth && (!deck.tool || deck.tool->kind != "end_mill"))
+    if (deck.bodies[i].previous_tooth && (!deck.tool || deck.tool->kind != ToolKind::end_mill))
       report.add(find_place(*bodies.get(i)->as_table(), "previous_tooth"), "body.previous_tooth",
                  "needs a tool of kind \"end_mill\"");
   const bool has_damage =

@@ -21,8 +21,9 @@ bool are_all_tied(const Deck& deck) {
 }
 
 bool can_meet(const Deck& deck, const BodyDeck& a, const BodyDeck& b) {
-  const std::string& who = deck.contact.between_bodies;
-  return who == "all" || (who == "hexes" && (a.fill == "hexes" || b.fill == "hexes"));
+  const BetweenBodies who = deck.contact.between_bodies;
+  return who == BetweenBodies::all ||
+         (who == BetweenBodies::hexes && (a.fill == Fill::hexes || b.fill == Fill::hexes));
 }
 
 bool can_meet(const Deck& deck) {

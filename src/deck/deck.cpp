@@ -79,7 +79,8 @@ void DeckReader::read_top() {
   }
   const auto& title = top_keys().front();
   const toml::node* node = root.get("title");
-  const std::string error = node ? fill_field(*node, title, deck) : fill_default(title, deck);
+  if (!node) return;
+  const std::string error = fill_field(*node, title, deck);
   if (!error.empty()) report.add(*node, "title", error);
 }
 
@@ -112,7 +113,7 @@ void DeckReader::read_faces(const toml::table& body, std::vector<FaceDeck>& face
     if (const toml::table* table = value.as_table()) {
       read_keys(*table, path, face_keys(), face, report);
       const bool moves = table->contains("velocity");
-      face.kind = moves ? "velocity" : face.fixed ? "fixed" : "free";
+      face.kind = moves ? FaceKind::velocity : face.fixed ? FaceKind::fixed : FaceKind::free;
       if (moves && face.fixed)
         report.add(*table, path, "is fixed and has a velocity: expected one of the two. Leave one out");
       if (face.film && !face.temperature)
@@ -122,7 +123,7 @@ void DeckReader::read_faces(const toml::table& body, std::vector<FaceDeck>& face
       face.fixed = false; // kind has it
     } else if (value.is_string() &&
                std::find(kinds.begin(), kinds.end(), **value.as_string()) != kinds.end()) {
-      face.kind = **value.as_string();
+      face.kind = value_of_word<FaceKind>(**value.as_string());
     } else {
       const std::string hint = value.is_string() ? suggest(**value.as_string(), kinds) : "";
       report.add(
@@ -226,7 +227,7 @@ void DeckReader::read_mechanistic() {
   const toml::table& table = find_section("mechanistic");
   if (&table == &empty) return; // reported
   deck.mechanistic = fill_mechanistic(table, report);
-  if (!deck.tool || deck.tool->kind != "end_mill")
+  if (!deck.tool || deck.tool->kind != ToolKind::end_mill)
     report.add(table, "mechanistic", "is a model of an end mill, and this deck has none. Remove the section");
 }
 
@@ -270,8 +271,9 @@ std::string read_text(const std::string& file) {
 } // namespace
 
 bool conducts_heat(const Deck& deck) {
-  return std::any_of(deck.materials.begin(), deck.materials.end(),
-                     [](const MaterialDeck& m) { return m.conductivity.greatest() > 0 && m.law != "rigid"; });
+  return std::any_of(deck.materials.begin(), deck.materials.end(), [](const MaterialDeck& m) {
+    return m.conductivity.greatest() > 0 && m.law != Law::rigid;
+  });
 }
 
 bool heats_faces(const Deck& deck) {
@@ -283,7 +285,7 @@ bool heats_faces(const Deck& deck) {
 
 bool stress_knows_heat(const Deck& deck) {
   return std::any_of(deck.materials.begin(), deck.materials.end(), [](const MaterialDeck& m) {
-    return m.law != "rigid" && (m.thermal_expansion > 0 || !m.youngs_modulus.points.empty());
+    return m.law != Law::rigid && (m.thermal_expansion > 0 || !m.youngs_modulus.points.empty());
   });
 }
 

@@ -1,5 +1,6 @@
 // A scene as the user wrote it: plain values in SI, checked, with every default filled in.
 #pragma once
+#include "src/units/words.hpp"
 #include <array>
 #include <optional>
 #include <stdexcept>
@@ -25,10 +26,13 @@ struct OverTemperature {
   bool operator==(const OverTemperature&) const = default;
 };
 
+// Sections of a deck. A new one has every key that applies at its default, as the row of the key says it
+// (keys.cpp): there is no other default. What has none, or does not apply to this law, shape or kind, is 0,
+// empty or not given.
 struct MaterialDeck {
+  explicit MaterialDeck(Law law = Law::elastic);
   std::string name;
-  std::string
-      law; // elastic | linear_hardening | johnson_cook | johnson_cook_tanh | zerilli_armstrong | rigid
+  Law law;
   double density, poissons_ratio;
   OverTemperature youngs_modulus, specific_heat, conductivity;
   double thermal_expansion, taylor_quinney;
@@ -41,31 +45,35 @@ struct MaterialDeck {
 };
 
 struct FaceDeck {
+  FaceDeck(std::string face = "", FaceKind kind = FaceKind::free, const Triple& velocity = {});
   std::string face; // x_min .. z_max | bottom top side | inner outer bottom top start end
-  std::string kind; // free | fixed | symmetric | periodic | velocity
-  Triple velocity{};
-  bool fixed = false;                     // as the deck's table says it; kind has it, too
-  std::optional<double> temperature = {}; // of the surface, or of what is around it
-  std::optional<double> film = {};        // W/(m2 K), in between
+  FaceKind kind;
+  Triple velocity;
+  bool fixed;                        // as the deck's table says it; kind has it, too
+  std::optional<double> temperature; // of the surface, or of what is around it
+  std::optional<double> film;        // W/(m2 K), in between
   bool operator==(const FaceDeck&) const = default;
 };
 
 struct BodyDeck {
-  std::string name, shape, fill, material; // shape: block | cylinder | ring | sphere; fill: particles | hexes
-  Triple origin{};                         // block: corner of least x, y, z; others: centre (of the base)
-  Triple size{};                           // block
-  double radius = 0, inner_radius = 0, outer_radius = 0, height = 0;
-  double start_angle = 0, end_angle = 0; // ring, rad; a whole turn closes the ring
-  std::optional<double> spacing;         // m: particles, or edges of hexes
+  explicit BodyDeck(BodyShape shape = BodyShape::block, Fill fill = Fill::particles);
+  std::string name, material;
+  BodyShape shape;
+  Fill fill;
+  Triple origin; // block: corner of least x, y, z; others: centre (of the base)
+  Triple size;   // block
+  double radius, inner_radius, outer_radius, height;
+  double start_angle, end_angle; // ring, rad; a whole turn closes the ring
+  std::optional<double> spacing; // m: particles, or edges of hexes
   std::optional<std::array<int, 3>>
-      cells; // block: nx ny nz; ring: around, axial, radial; cylinder: across, across, axial
-  bool previous_tooth = false; // ring: inner surface as the previous tooth of the tool left it
-  Triple velocity{};
-  double temperature = 0;
+      cells;           // block: nx ny nz; ring: around, axial, radial; cylinder: across, across, axial
+  bool previous_tooth; // ring: inner surface as the previous tooth of the tool left it
+  Triple velocity;
+  double temperature;
   std::string tie;                        // hexes that this body's particles are tied to, or empty
   std::optional<double> convert_distance; // m: hexes nearer to the tool become particles
   std::optional<double> convert_strain;   // or those of this equivalent plastic strain
-  int convert_particles = 2;              // along each edge of a hex
+  int convert_particles;                  // along each edge of a hex
   std::vector<FaceDeck> faces;
   int line = 0; // of the deck, for messages
   bool converts() const { return convert_distance || convert_strain; }
@@ -73,75 +81,80 @@ struct BodyDeck {
 };
 
 struct ToolDeck {
-  std::string kind; // end_mill | wedge | wall | stl
+  explicit ToolDeck(ToolKind kind = ToolKind::end_mill);
+  ToolKind kind;
   // end mill
-  double diameter = 0, helix = 0, rake = 0, clearance = 0, edge_radius = 0, length = 0;
-  double core_ratio = 0, runout = 0, runout_angle = 0;
-  int flutes = 0;
+  double diameter, helix, rake, clearance, edge_radius, length;
+  double core_ratio, runout, runout_angle;
+  int flutes;
   // wedge (shares rake, clearance, edge_radius): cuts along +x of its own frame, edge along z
-  double inclination = 0, width = 0, height = 0;
+  double inclination, width, height;
   // wall
-  Triple normal{0, 0, 1};
-  double size = 0;
-  std::string file;      // stl; relative to the deck there, absolute here
-  double file_scale = 1; // m per unit of the file
+  Triple normal;
+  double size;
+  std::string file;  // stl; relative to the deck there, absolute here
+  double file_scale; // m per unit of the file
   // motion
-  Triple position{}, velocity{};
-  double spindle_speed = 0; // rad/s, clockwise seen from +z
-  double feed_per_tooth = 0;
-  Triple feed_direction{1, 0, 0};
-  double start_angle = 0; // immersion angle at time 0, rad
+  Triple position, velocity;
+  double spindle_speed; // rad/s, clockwise seen from +z
+  double feed_per_tooth;
+  Triple feed_direction;
+  double start_angle; // immersion angle at time 0, rad
   // heat
   std::string material;              // a rigid one; empty: the tool does not conduct
-  double temperature = 0;            // at the start
+  double temperature;                // at the start
   std::optional<double> held_beyond; // m from where the work touches: held at it; not given: insulated
   std::string temperature_from;      // results folder whose tool's temperature it starts with; absolute here
-  double idle_time = 0;              // s between that run and this one, in which the tool only conducts
+  double idle_time;                  // s between that run and this one, in which the tool only conducts
   std::optional<double> heat_time;   // s that heat has to spread in all; not given: that of the run
   // wear
   std::optional<double> wear_A, wear_B; // 1/Pa, K; not given: none
   // after the cut
   std::optional<double> lift_time; // s; from then on it moves at:
-  Triple lift_velocity{};
+  Triple lift_velocity;
   bool operator==(const ToolDeck&) const = default;
 };
 
 struct ContactDeck {
-  double friction = 0;
-  std::optional<double> shear_limit;       // Pa
-  std::string between_bodies = "hexes";    // hexes | all | none
-  double stiffness = 1;                    // at most, penalty / (scaled mass / dt^2)
+  ContactDeck();
+  double friction;
+  std::optional<double> shear_limit; // Pa
+  BetweenBodies between_bodies;
+  double stiffness;                        // at most, penalty / (scaled mass / dt^2)
   std::optional<double> heat_to_workpiece; // share of the friction work, of a tool without a material
   std::optional<double> conductance;       // W/(m2 K), of one with a material; not given: perfect contact
   bool operator==(const ContactDeck&) const = default;
 };
 
 struct ParticlesDeck {
-  std::string kernel_frame;     // current | initial
-  double smoothing_ratio = 1.2; // h / spacing
-  std::string smoothing_length; // fixed | evolving
-  std::string density;          // continuity | summation
-  bool correction = true, correct_forces = true;
-  double viscosity_linear = 0, viscosity_quadratic = 0, hourglass_stiffness = 0;
-  double pressure_diffusion = 0;
-  bool shifting = true;
-  double skin = 0.1; // of the support
+  ParticlesDeck();
+  KernelFrame kernel_frame;
+  double smoothing_ratio; // h / spacing
+  SmoothingLength smoothing_length;
+  DensityRule density;
+  bool correction, correct_forces;
+  double viscosity_linear, viscosity_quadratic, hourglass_stiffness;
+  double pressure_diffusion;
+  bool shifting;
+  double skin; // of the support
   bool operator==(const ParticlesDeck&) const = default;
 };
 
 struct HexesDeck {
-  std::string hourglass; // stiffness | viscous
-  double hourglass_coefficient = 0;
-  double viscosity_linear = 0, viscosity_quadratic = 0;
-  bool delete_failed = false;             // delete a hex whose damage reaches 1
+  HexesDeck();
+  HourglassMethod hourglass;
+  double hourglass_coefficient;
+  double viscosity_linear, viscosity_quadratic;
+  bool delete_failed;                     // delete a hex whose damage reaches 1
   std::optional<double> delete_at_strain; // or whose equivalent plastic strain reaches this
   bool operator==(const HexesDeck&) const = default;
 };
 
 struct SleepDeck {
+  SleepDeck();
   std::optional<double> distance; // m; not given: nothing freezes
-  double ramp = 0.5;              // of the distance, where velocities are damped
-  double speed = 0.05;            // of the tool's, or of held faces: what is faster stays active
+  double ramp;                    // of the distance, where velocities are damped
+  double speed;                   // of the tool's, or of held faces: what is faster stays active
   bool operator==(const SleepDeck&) const = default;
 };
 
@@ -151,35 +164,38 @@ struct RetireDeck {
 };
 
 struct RunDeck {
+  RunDeck();
   std::optional<double> end_time;      // s
   std::optional<double> end_immersion; // rad, instead of end_time
-  double courant = 0, mass_factor = 1;
-  std::optional<double> accuracy; // %, of the mean cutting force; sets others, see accuracy.hpp
-  int accuracy_line = 0;          // of the deck, for messages
-  int threads = 0;                // 0: all cores
-  double energy_tolerance = 2, energy_limit = 10; // %, of the energy given: where a run warns, where it ends
-  Triple gravity{};
+  double courant, mass_factor;
+  std::optional<double> accuracy;        // %, of the mean cutting force; sets others, see accuracy.hpp
+  int accuracy_line = 0;                 // of the deck, for messages
+  int threads;                           // 0: all cores
+  double energy_tolerance, energy_limit; // %, of the energy given: where a run warns, where it ends
+  Triple gravity;
   bool operator==(const RunDeck&) const = default;
 };
 
 // Short runs spread over a pass, in place of the whole of it. Angles in rad.
 struct WindowsDeck {
-  double first = 0, last = 0, step = 0; // immersion at their centres
-  double width = 0;                     // measured, about the centre
-  double run_in = 0;                    // from the free end to where the measurement begins
-  double ahead = 0;                     // of the measurement's end, that the material goes on
-  int line = 0;                         // of the deck, for messages; 0: not from the deck
+  WindowsDeck();
+  double first, last, step; // immersion at their centres
+  double width;             // measured, about the centre
+  double run_in;            // from the free end to where the measurement begins
+  double ahead;             // of the measurement's end, that the material goes on
+  int line = 0;             // of the deck, for messages; 0: not from the deck
   bool operator==(const WindowsDeck&) const = default;
 };
 
 // The mechanistic model of the mill: forces of edge elements, linear in the chip thickness.
 struct MechanisticDeck {
-  double K_tc = 0, K_rc = 0, K_ac = 0; // Pa: shearing, tangential, radial, axial
-  double K_te = 0, K_re = 0, K_ae = 0; // N/m: of the edge
-  double minimum_chip = 0;             // m: thinner ones are not cut, but pressed down
-  std::optional<double> depth, helix;  // m, rad; not given: of the scene
-  double entry = 0, exit = 0;          // immersion, rad, where the work begins and ends
-  int line = 0;                        // of the deck, for messages; 0: not from a deck
+  MechanisticDeck();
+  double K_tc, K_rc, K_ac;            // Pa: shearing, tangential, radial, axial
+  double K_te, K_re, K_ae;            // N/m: of the edge
+  double minimum_chip;                // m: thinner ones are not cut, but pressed down
+  std::optional<double> depth, helix; // m, rad; not given: of the scene
+  double entry, exit;                 // immersion, rad, where the work begins and ends
+  int line = 0;                       // of the deck, for messages; 0: not from a deck
   bool operator==(const MechanisticDeck&) const = default;
 };
 
@@ -190,17 +206,18 @@ struct LabelledForce {
 };
 
 struct OutputDeck {
-  double force_scale = 1;                // depth of cut over thickness of the slice
-  int history_steps = 10;                // steps between two history samples, at most
+  OutputDeck();
+  double force_scale;                    // depth of cut over thickness of the slice
+  int history_steps;                     // steps between two history samples, at most
   std::optional<double> frame_time;      // s
   std::optional<double> frame_immersion; // rad
   std::optional<double> checkpoint_time; // s of simulated time; default: with every frame
-  double filter_frequency = 0;           // Hz, low pass of the force; 0: chosen from the run's length
+  double filter_frequency;               // Hz, low pass of the force; 0: chosen from the run's length
   std::vector<double> picture_immersion; // rad, views of the strip; default: spread over the run
   std::vector<double> picture_time;      // s, the same for scenes without a spindle
-  std::string picture_field;             // temperature | equivalent_plastic_strain | von_mises | velocity
-  Triple picture_view{0, 0, 1};          // direction from the scene to the camera
-  std::vector<LabelledForce> published;  // drawn as lines in the force plot
+  PictureField picture_field;
+  Triple picture_view;                  // direction from the scene to the camera
+  std::vector<LabelledForce> published; // drawn as lines in the force plot
   bool operator==(const OutputDeck&) const = default;
 };
 
@@ -213,6 +230,7 @@ struct AccuracyPick {
 };
 
 struct Deck {
+  Deck();
   std::string file, title;
   std::vector<MaterialDeck> materials;
   std::vector<BodyDeck> bodies;

@@ -33,10 +33,7 @@ const Keys<MaterialDeck>& material_keys() {
   const auto zerilli = law({"zerilli_armstrong"});
   const auto of_power_law = law({"johnson_cook", "johnson_cook_tanh", "zerilli_armstrong"});
   static const Keys<M> keys = {
-      {"law", &M::law, D::none,
-       Choices{"elastic", "linear_hardening", "johnson_cook", "johnson_cook_tanh", "zerilli_armstrong",
-               "rigid"},
-       required, always,
+      {"law", word<&M::law>(), D::none, words<Law>(), required, always,
        "flow law; all are isotropic, with the Jaumann rate; rigid: of a tool, which only conducts"},
       {"density", &M::density, D::density, positive, required, always, "mass per volume, unloaded"},
       {"youngs_modulus", &M::youngs_modulus, D::pressure, positive, required, deforms,
@@ -102,10 +99,9 @@ const Keys<BodyDeck>& body_keys() {
   const std::vector<Condition> lattice_of_hexes = {{"fill", {"hexes"}}, {"shape", {"block", "ring"}}};
   static const Keys<B> keys = {
       {"name", &B::name, D::none, Text{}, required, always, "unique among the bodies"},
-      {"shape", &B::shape, D::none, Choices{"block", "cylinder", "ring", "sphere"}, required, always,
+      {"shape", word<&B::shape>(), D::none, words<BodyShape>(), required, always,
        "cylinder and ring have their axis along z"},
-      {"fill", &B::fill, D::none, Choices{"particles", "hexes"}, required, always,
-       "how the body is discretised"},
+      {"fill", word<&B::fill>(), D::none, words<Fill>(), required, always, "how the body is discretised"},
       {"material", &B::material, D::none, Text{}, required, always,
        "NAME of a [material.NAME], or \"library:NAME\" of those that swarf materials lists"},
       {"origin", &B::origin, D::length, any, zero_point, always,
@@ -171,8 +167,7 @@ const Keys<ToolDeck>& tool_keys() {
   const auto mill = kind({"end_mill"}), wedge = kind({"wedge"}), wall = kind({"wall"}), stl = kind({"stl"});
   const auto cutting = kind({"end_mill", "wedge"});
   static const Keys<T> keys = {
-      {"kind", &T::kind, D::none, Choices{"end_mill", "wedge", "wall", "stl"}, required, always,
-       "rigid, any of these"},
+      {"kind", word<&T::kind>(), D::none, words<ToolKind>(), required, always, "rigid, any of these"},
       {"diameter", &T::diameter, D::length, positive, required, mill, "of the circle of the tips"},
       {"flutes", &T::flutes, D::none, Bounds{1, 8}, "2", mill, "number of teeth, evenly spaced"},
       {"helix", &T::helix, D::angle, Bounds{0, 70}, R"("0 deg")", mill, "angle; right-handed"},
@@ -255,7 +250,7 @@ const Keys<ContactDeck>& contact_keys() {
   static const Keys<C> keys = {
       {"friction", &C::friction, D::none, Bounds{0, 10}, required, always,
        "Coulomb coefficient between tool and bodies, and between bodies"},
-      {"between_bodies", &C::between_bodies, D::none, Choices{"hexes", "all", "none"}, R"("hexes")", always,
+      {"between_bodies", word<&C::between_bodies>(), D::none, words<BetweenBodies>(), R"("hexes")", always,
        "who presses whom where bodies meet that no tie joins: hexes: two bodies of which one at least is of "
        "hexes, and particles of two bodies share kernels, which push and pull; all: particles of two bodies, "
        "too, and they never weld; none: bodies pass through hexes"},

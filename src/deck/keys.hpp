@@ -2,7 +2,7 @@
 // applies, help. Reading, checking, the resolved deck and the reference page all follow these rows.
 #pragma once
 #include "src/deck/deck.hpp"
-#include "src/deck/units.hpp"
+#include "src/units/units.hpp"
 #include <limits>
 #include <variant>
 
@@ -21,20 +21,37 @@ struct Counts {      // of cells; two are [across, axial] and fill (across, acro
 };
 using Allowed = std::variant<Bounds, Choices, Direction, Text, Counts>;
 
-// The key applies only where the text key `key` of the same table is one of `values`.
+// The key applies only where the key `key`, a word, of the same table is one of `values`.
 struct Condition {
   std::string key;
   std::vector<std::string> values;
 };
 
+// A field that is one of the words of an enum.
+template <class Section>
+struct WordField {
+  const Words* known;
+  int (*get)(const Section&);
+  void (*set)(Section&, int);
+};
+template <auto field, class Section, class Enum>
+WordField<Section> word_field(Enum Section::*) {
+  return {&words<Enum>(), [](const Section& section) { return int(section.*field); },
+          [](Section& section, int value) { section.*field = Enum(value); }};
+}
+template <auto field>
+auto word() {
+  return word_field<field>(field);
+}
+
 template <class Section>
 struct Key {
   // monostate: a table or a list that deck.cpp reads by code of its own.
-  using Field =
-      std::variant<std::monostate, std::string Section::*, bool Section::*, int Section::*, double Section::*,
-                   OverTemperature Section::*, std::optional<double> Section::*, Triple Section::*,
-                   std::vector<double> Section::*, std::optional<std::array<int, 3>> Section::*,
-                   std::optional<std::array<double, 5>> Section::*>;
+  using Field = std::variant<std::monostate, WordField<Section>, std::string Section::*, bool Section::*,
+                             int Section::*, double Section::*, OverTemperature Section::*,
+                             std::optional<double> Section::*, Triple Section::*,
+                             std::vector<double> Section::*, std::optional<std::array<int, 3>> Section::*,
+                             std::optional<std::array<double, 5>> Section::*>;
   std::string name;
   Field field;
   Dimension dimension;
@@ -67,7 +84,8 @@ template <class Section>
 const std::string* text_of(const Keys<Section>& keys, const std::string& name, const Section& section) {
   for (const auto& key : keys)
     if (key.name == name)
-      if (auto* field = std::get_if<std::string Section::*>(&key.field)) return &(section.*(*field));
+      if (auto* field = std::get_if<WordField<Section>>(&key.field))
+        return &(*field->known)[std::size_t(field->get(section))];
   return nullptr;
 }
 

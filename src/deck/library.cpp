@@ -12,7 +12,7 @@ namespace {
 constexpr const char* prefix = "library:";
 
 LibraryMaterial read_entry(const std::string& name, toml::table table) {
-  LibraryMaterial entry{}; // constants of other laws are zero, as a deck has them
+  LibraryMaterial entry;
   entry.about = table["about"].value_or(std::string()),
   entry.source = table["source"].value_or(std::string());
   if (entry.about.empty() || entry.source.empty())
@@ -60,14 +60,7 @@ std::string list_materials() {
     text += fmt::format("\n{}\n  {}\n", entry.material.name, entry.about);
     for (const auto& key : material_keys()) {
       if (!applies(material_keys(), key, entry.material)) continue;
-      const std::string value = std::visit(
-          [&](auto field) -> std::string {
-            if constexpr (std::is_same_v<decltype(field), std::monostate>)
-              return "";
-            else
-              return write_value(entry.material.*field, {key.name, key.dimension, key.allowed});
-          },
-          key.field);
+      const std::string value = write_field(key, entry.material);
       if (!value.empty()) text += fmt::format("  {:<22} {}\n", key.name, value);
     }
     text += fmt::format("  source: {}\n", entry.source);

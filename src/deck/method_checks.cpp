@@ -8,16 +8,17 @@ namespace {
 // What the initial frame leaves no meaning, or has no kernel for.
 void check_kernel_frame(const Deck& deck, const toml::table& root, DeckReport& report) {
   const ParticlesDeck& p = deck.particles;
-  if (p.kernel_frame != "initial") return;
+  if (p.kernel_frame != KernelFrame::initial) return;
   const toml::table& table = *root["particles"].as_table();
   const auto refuse = [&](bool is_wrong, const std::string& key, const std::string& instead) {
     if (is_wrong)
       report.add(find_place(table, key), "particles." + key,
                  "does not go with kernel_frame = \"initial\". " + instead);
   };
-  refuse(p.smoothing_length == "evolving", "smoothing_length",
+  refuse(p.smoothing_length == SmoothingLength::evolving, "smoothing_length",
          "Kernels do not stretch with the body: use \"fixed\"");
-  refuse(p.density == "summation", "density", "It is that of the deformation gradient: use \"continuity\"");
+  refuse(p.density == DensityRule::summation, "density",
+         "It is that of the deformation gradient: use \"continuity\"");
   refuse(!p.correction, "correction", "At a free surface a body at rest would be strained: use true");
   refuse(!p.correct_forces, "correct_forces", "Stresses would not be pulled back: use true");
   refuse(p.pressure_diffusion > 0, "pressure_diffusion", "It acts between present neighbours: use 0");
@@ -33,7 +34,8 @@ void check_kernel_frame(const Deck& deck, const toml::table& root, DeckReport& r
 
 // A particle that sees few others has a sum that goes as h^-3: h that follows it has nothing to hold it.
 void check_evolving(const Deck& deck, const toml::table& root, DeckReport& report) {
-  if (deck.particles.smoothing_length == "evolving" && deck.particles.density == "summation")
+  if (deck.particles.smoothing_length == SmoothingLength::evolving &&
+      deck.particles.density == DensityRule::summation)
     report.add(
         find_place(*root["particles"].as_table(), "smoothing_length"), "particles.smoothing_length",
         "\"evolving\" does not go with density = \"summation\": a lone particle would grow without end. "
@@ -58,9 +60,9 @@ void refuse_methods(const Deck& deck, const toml::table& root, DeckReport& repor
                  "does not go with hexes that become particles (body.convert_distance, convert_strain). " +
                      instead);
   };
-  refuse(deck.particles.kernel_frame == "initial", "particles", "kernel_frame",
+  refuse(deck.particles.kernel_frame == KernelFrame::initial, "particles", "kernel_frame",
          "Neighbours stay what they were at the start: use \"current\"");
-  refuse(deck.particles.density == "summation", "particles", "density",
+  refuse(deck.particles.density == DensityRule::summation, "particles", "density",
          "New particles have no sum of the start to compare with: use \"continuity\"");
   refuse(deck.sleep.distance.has_value(), "sleep", "distance", "Leave it out");
   refuse(deck.hexes.delete_failed, "hexes", "delete_failed", "Leave it out");
@@ -75,7 +77,8 @@ void check_conversion(const Deck& deck, const toml::table& root, DeckReport& rep
     const BodyDeck& body = deck.bodies[i];
     const toml::table& table = *bodies.get(i)->as_table();
     any = any || body.converts();
-    if (!body.converts() && body.convert_particles != 2) // the default, which the resolved deck writes
+    const int by_default = BodyDeck(body.shape, body.fill).convert_particles; // the resolved deck writes it
+    if (!body.converts() && body.convert_particles != by_default)
       report.add(find_place(table, "convert_particles"), "body.convert_particles",
                  "nothing says when hexes become particles. Give convert_distance or convert_strain");
     if (body.convert_distance && !deck.tool)
@@ -128,7 +131,7 @@ void check_heat(const Deck& deck, const toml::table& root, DeckReport& report) {
   }
   for (const MaterialDeck& m : deck.materials) {
     const bool has_tables = !m.conductivity.points.empty() || !m.specific_heat.points.empty();
-    if (m.law == "rigid" && has_tables)
+    if (m.law == Law::rigid && has_tables)
       report.add(find_place(*root["material"][m.name].as_table(),
                             m.conductivity.points.empty() ? "specific_heat" : "conductivity"),
                  "material." + m.name, "a rigid tool has no tables over temperature. Give one value");
@@ -143,7 +146,7 @@ void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& repo
     const MaterialDeck* m = find_material(deck, deck.bodies[i].material);
     if (!m) continue; // reported
     const toml::node& place = find_place(*bodies.get(i)->as_table(), "material");
-    if (m->law == "rigid")
+    if (m->law == Law::rigid)
       report.add(
           place, "body.material",
           fmt::format("[material.{}] has law = \"rigid\", which is for a tool. Name another", m->name));
@@ -180,8 +183,8 @@ void check_tool_heat(const Deck& deck, const toml::table& root, DeckReport& repo
   const MaterialDeck* m = find_material(deck, deck.tool->material);
   std::vector<std::string> rigid;
   for (const MaterialDeck& other : deck.materials)
-    if (other.law == "rigid") rigid.push_back(other.name);
-  if (!m || m->law != "rigid")
+    if (other.law == Law::rigid) rigid.push_back(other.name);
+  if (!m || m->law != Law::rigid)
     report.add(find_place(tool, "material"), "tool.material",
                m ? fmt::format("[material.{}] deforms. Name one with law = \"rigid\".{}", m->name,
                                suggest(m->name, rigid))

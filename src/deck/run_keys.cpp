@@ -16,14 +16,14 @@ const std::string required = "required", optional = "optional";
 const Keys<ParticlesDeck>& particles_keys() {
   using P = ParticlesDeck;
   static const Keys<P> keys = {
-      {"kernel_frame", &P::kernel_frame, D::none, Choices{"current", "initial"}, R"("current")", always,
+      {"kernel_frame", word<&P::kernel_frame>(), D::none, words<KernelFrame>(), R"("current")", always,
        "positions that the kernels and the neighbour lists see; initial (total Lagrangian): no tensile "
        "instability, but who is a neighbour at the start stays one, and no other body is felt but the tool"},
       {"smoothing_ratio", &P::smoothing_ratio, D::none, Bounds{0.8, 3}, "1.2", always,
        "smoothing length h / spacing; the kernel reaches 2 h"},
-      {"smoothing_length", &P::smoothing_length, D::none, Choices{"fixed", "evolving"}, R"("fixed")", always,
-       "evolving: h follows the density"},
-      {"density", &P::density, D::none, Choices{"continuity", "summation"}, R"("continuity")", always,
+      {"smoothing_length", word<&P::smoothing_length>(), D::none, words<SmoothingLength>(), R"("fixed")",
+       always, "evolving: h follows the density"},
+      {"density", word<&P::density>(), D::none, words<DensityRule>(), R"("continuity")", always,
        "from the divergence of the velocity (and by pressure_diffusion), or from the sum over neighbours"},
       {"correction", &P::correction, D::none, any, "true", always,
        "correct the kernel gradient (Randles & Libersky 1996): exact for linear fields"},
@@ -55,7 +55,7 @@ const Keys<ParticlesDeck>& particles_keys() {
 const Keys<HexesDeck>& hexes_keys() {
   using H = HexesDeck;
   static const Keys<H> keys = {
-      {"hourglass", &H::hourglass, D::none, Choices{"stiffness", "viscous"}, R"("stiffness")", always,
+      {"hourglass", word<&H::hourglass>(), D::none, words<HourglassMethod>(), R"("stiffness")", always,
        "control of the zero-energy modes (Flanagan & Belytschko 1981)"},
       {"hourglass_coefficient", &H::hourglass_coefficient, D::none, share, "0.1", always, "strength of it"},
       {"viscosity_linear", &H::viscosity_linear, D::none, Bounds{0, 10}, "0.06", always,
@@ -152,9 +152,8 @@ const Keys<OutputDeck>& output_keys() {
        "immersion angles of the rendered views; empty: spread over the run; needs a spindle"},
       {"picture_time", &O::picture_time, D::time, not_negative, "[]", always,
        "times of the rendered views, for scenes without a spindle; empty: spread over the run"},
-      {"picture_field", &O::picture_field, D::none,
-       Choices{"temperature", "equivalent_plastic_strain", "von_mises", "velocity"}, R"("temperature")",
-       always, "what colours the rendered views"},
+      {"picture_field", word<&O::picture_field>(), D::none, words<PictureField>(), R"("temperature")", always,
+       "what colours the rendered views"},
       {"picture_view", &O::picture_view, D::none, Direction{}, "[0.0, 0.0, 1.0]", always,
        "from the scene to the camera"},
       {"published", custom, D::none, any, optional, always,

@@ -6,23 +6,79 @@
 
 namespace swarf {
 
-// Reads one value, or its default, into the field of the key. Returns what is wrong.
+template <class Section>
+ValueRule rule_of(const Key<Section>& key, int digits = 0) {
+  return {key.name, key.dimension, key.allowed, digits};
+}
+
+// Reads one value into the field of the key. Returns what is wrong.
 template <class Section>
 std::string fill_field(const toml::node& node, const Key<Section>& key, Section& section) {
   return std::visit(
       [&](auto field) -> std::string {
-        if constexpr (std::is_same_v<decltype(field), std::monostate>)
+        if constexpr (std::is_same_v<decltype(field), std::monostate>) {
           return ""; // read by its own code
+        } else if constexpr (std::is_same_v<decltype(field), WordField<Section>>) {
+          std::string word;
+          const std::string error = read_value(node, rule_of(key), word);
+          if (error.empty())
+            field.set(section,
+                      int(std::find(field.known->begin(), field.known->end(), word) - field.known->begin()));
+          return error;
+        } else {
+          return read_value(node, rule_of(key), section.*field);
+        }
+      },
+      key.field);
+}
+
+// As TOML; "" for what is not given, or written by code of its own.
+template <class Section>
+std::string write_field(const Key<Section>& key, const Section& section, int digits = 0) {
+  return std::visit(
+      [&](auto field) -> std::string {
+        if constexpr (std::is_same_v<decltype(field), std::monostate>)
+          return "";
+        else if constexpr (std::is_same_v<decltype(field), WordField<Section>>)
+          return write_value((*field.known)[std::size_t(field.get(section))], rule_of(key));
         else
-          return read_value(node, {key.name, key.dimension, key.allowed}, section.*field);
+          return write_value(section.*field, rule_of(key, digits));
       },
       key.field);
 }
 
 template <class Section>
-std::string fill_default(const Key<Section>& key, Section& section) {
+bool has_default(const Key<Section>& key) {
+  return key.value != "required" && key.value != "optional";
+}
+
+// Throws std::logic_error for a row whose default is not allowed by the row itself.
+template <class Section>
+void fill_default(const Key<Section>& key, Section& section) {
   const toml::table text = toml::parse("value = " + key.value);
-  return fill_field(*text.get("value"), key, section);
+  const std::string error = fill_field(*text.get("value"), key, section);
+  if (!error.empty()) throw std::logic_error("default of " + key.name + ": " + error);
+}
+
+// 0, empty or not given, whatever the default.
+template <class Section>
+void clear_fields(const Keys<Section>& keys, Section& section) {
+  for (const auto& key : keys)
+    std::visit(
+        [&](auto field) {
+          if constexpr (std::is_same_v<decltype(field), WordField<Section>>)
+            field.set(section, 0);
+          else if constexpr (!std::is_same_v<decltype(field), std::monostate>)
+            section.*field = {};
+        },
+        key.field);
+}
+
+// Those of the keys that apply, to the law, shape or kind that the section has.
+template <class Section>
+void fill_defaults(const Keys<Section>& keys, Section& section) {
+  for (const auto& key : keys)
+    if (has_default(key) && applies(keys, key, section)) fill_default(key, section);
 }
 
 // Does it depend on this key whether others apply?
@@ -69,6 +125,7 @@ void report_strangers(const toml::table& table, const std::string& path, const K
 template <class Section>
 void read_keys(const toml::table& table, const std::string& path, const Keys<Section>& keys, Section& section,
                DeckReport& report) {
+  clear_fields(keys, section);
   bool is_decided = true;
   for (const auto& key : keys) {
     if (!is_decided) break;
@@ -83,9 +140,8 @@ void read_keys(const toml::table& table, const std::string& path, const Keys<Sec
       const std::string expected = describe_expected(key.dimension, key.allowed);
       report.add(table, place, fmt::format("is missing. Expected {}: {}", expected, key.help));
       is_decided = !decides(keys, key.name);
-    } else if (key.value != "optional") {
-      const std::string error = fill_default(key, section);
-      if (!error.empty()) throw std::logic_error("default of " + place + ": " + error);
+    } else if (has_default(key)) {
+      fill_default(key, section);
     }
   }
   report_strangers(table, path, keys, section, is_decided, report);

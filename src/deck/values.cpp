@@ -124,9 +124,9 @@ std::string read_count(const toml::node& node, double low, double high, int& val
 }
 
 template <class Numbers>
-std::string write_numbers(const Numbers& numbers, Dimension dimension) {
+std::string write_numbers(const Numbers& numbers, const ValueRule& rule) {
   std::vector<std::string> entries;
-  for (double x : numbers) entries.push_back(write_value(x, {"", dimension, Bounds{}}));
+  for (double x : numbers) entries.push_back(write_value(x, {"", rule.dimension, Bounds{}, rule.digits}));
   return fmt::format("[{}]", fmt::join(entries, ", "));
 }
 
@@ -309,25 +309,24 @@ std::string write_value(const std::string& value, const ValueRule&) {
 std::string write_value(bool value, const ValueRule&) { return value ? "true" : "false"; }
 std::string write_value(int value, const ValueRule&) { return std::to_string(value); }
 std::string write_value(double value, const ValueRule& rule) {
-  const std::string text = format_quantity(value, rule.dimension);
+  const std::string text = format_quantity(value, rule.dimension, rule.digits);
   return rule.dimension == Dimension::none ? text : quote(text);
 }
 std::string write_value(const OverTemperature& value, const ValueRule& rule) {
   if (value.points.empty()) return write_value(value.value, rule);
   std::vector<std::string> rows;
   for (const auto& [T, x] : value.points)
-    rows.push_back(fmt::format("[{}, {}]", write_value(T, {"", Dimension::temperature, Bounds{}}),
+    rows.push_back(fmt::format("[{}, {}]",
+                               write_value(T, {"", Dimension::temperature, Bounds{}, rule.digits}),
                                write_value(x, rule)));
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 std::string write_value(const std::optional<double>& value, const ValueRule& rule) {
   return value ? write_value(*value, rule) : "";
 }
-std::string write_value(const Triple& value, const ValueRule& rule) {
-  return write_numbers(value, rule.dimension);
-}
+std::string write_value(const Triple& value, const ValueRule& rule) { return write_numbers(value, rule); }
 std::string write_value(const std::vector<double>& value, const ValueRule& rule) {
-  return write_numbers(value, rule.dimension);
+  return write_numbers(value, rule);
 }
 std::string write_value(const std::optional<std::array<int, 3>>& value, const ValueRule& rule) {
   if (!value) return "";
@@ -336,7 +335,7 @@ std::string write_value(const std::optional<std::array<int, 3>>& value, const Va
                                                      : fmt::format("[{}, {}, {}]", x, y, z);
 }
 std::string write_value(const std::optional<std::array<double, 5>>& value, const ValueRule& rule) {
-  return value ? write_numbers(*value, rule.dimension) : "";
+  return value ? write_numbers(*value, rule) : "";
 }
 
 } // namespace swarf

@@ -33,6 +33,7 @@ struct ValueRule {
   std::string name;
   Dimension dimension;
   Allowed allowed;
+  int digits = 0; // of what is written; 0: as many as give the number back
 };
 std::string read_value(const toml::node& node, const ValueRule& rule, std::string& value);
 std::string read_value(const toml::node& node, const ValueRule& rule, bool& value);

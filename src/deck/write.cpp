@@ -1,5 +1,5 @@
 // The resolved deck and the reference page, from the same rows that a deck is read by.
-#include "src/deck/values.hpp"
+#include "src/deck/section.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,14 +11,7 @@ std::string write_keys(const Keys<Section>& keys, const Section& section) {
   std::string text;
   for (const auto& key : keys) {
     if (!applies(keys, key, section)) continue;
-    const std::string value = std::visit(
-        [&](auto field) -> std::string {
-          if constexpr (std::is_same_v<decltype(field), std::monostate>)
-            return "";
-          else
-            return write_value(section.*field, {key.name, key.dimension, key.allowed});
-        },
-        key.field);
+    const std::string value = write_field(key, section);
     if (!value.empty()) text += fmt::format("{} = {}\n", key.name, value);
   }
   return text;
@@ -34,15 +27,15 @@ std::string write_body(const BodyDeck& body) {
   if (!body.faces.empty()) text += "[body.faces]\n";
   for (const FaceDeck& face : body.faces) {
     std::vector<std::string> entries;
-    if (face.kind == "velocity")
+    if (face.kind == FaceKind::velocity)
       entries.push_back("velocity = " + write_value(face.velocity, {"", Dimension::velocity, Bounds{}}));
-    if (face.kind == "fixed" && face.temperature) entries.push_back("fixed = true");
+    if (face.kind == FaceKind::fixed && face.temperature) entries.push_back("fixed = true");
     if (face.temperature)
       entries.push_back("temperature = " +
                         write_value(*face.temperature, {"", Dimension::temperature, Bounds{}}));
     if (face.film)
       entries.push_back("film = " + write_value(*face.film, {"", Dimension::conductance, Bounds{}}));
-    text += entries.empty() ? fmt::format("{} = \"{}\"\n", face.face, face.kind)
+    text += entries.empty() ? fmt::format("{} = \"{}\"\n", face.face, word_of(face.kind))
                             : fmt::format("{} = {{ {} }}\n", face.face, fmt::join(entries, ", "));
   }
   return text;
@@ -86,10 +79,9 @@ std::string write_reference(const std::string& heading, const std::string& help,
                                  "|---|---|---|---|---|\n",
                                  heading, help);
   for (const auto& key : keys) {
-    const bool has_default = key.value != "required" && key.value != "optional";
     std::string row =
         fmt::format("`{}` \x01 {} \x01 {} \x01 {} \x01 {}", key.name, describe_values(key),
-                    has_default ? "`" + key.value + "`" : key.value, describe_conditions(key), key.help);
+                    has_default(key) ? "`" + key.value + "`" : key.value, describe_conditions(key), key.help);
     std::string escaped;
     for (char c : row)
       escaped += c == '|' ? std::string("\\|") : c == '\x01' ? std::string("|") : std::string(1, c);

@@ -15,7 +15,7 @@ struct FilledBody {
   int first = 0; // row of the first particle, or of the first node
   int first_hex = 0;
 
-  bool has_particles() const { return deck->fill == "particles"; }
+  bool has_particles() const { return deck->fill == Fill::particles; }
 };
 
 inline Vector3 to_vector3(const Point& x) { return {Real(x.x()), Real(x.y()), Real(x.z())}; }

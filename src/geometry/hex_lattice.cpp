@@ -26,7 +26,7 @@ class Box {
         if (i[d] == 0 && !names[d][0].empty()) set.faces[names[d][0]].push_back(row);
         if (i[d] == nodes[d] - 1 && !names[d][1].empty()) set.faces[names[d][1]].push_back(row);
       }
-      set.node.push_back(shape.body->shape == "block" ? block_node(i) : ring_node(i));
+      set.node.push_back(shape.body->shape == BodyShape::block ? block_node(i) : ring_node(i));
     });
     visit(shape.cells, [&](const Index& i) {
       const auto [a, b, c] = i;
@@ -185,8 +185,8 @@ HexSet fill_shell(const Shape& shape) {
 } // namespace
 
 HexSet fill_hexes(const Shape& shape) {
-  if (shape.body->shape == "cylinder") return extrude(shape);
-  if (shape.body->shape == "sphere") return fill_shell(shape);
+  if (shape.body->shape == BodyShape::cylinder) return extrude(shape);
+  if (shape.body->shape == BodyShape::sphere) return fill_shell(shape);
   return Box(shape).fill();
 }
 

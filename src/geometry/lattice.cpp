@@ -29,10 +29,10 @@ class Cells {
     if (odd() && radial == 0) return 1;
     return int(std::lround(pi * (edge(radial) + edge(radial + 1)) / (2 * body.radius / shape.cells[0])));
   }
-  bool round() const { return body.shape == "cylinder"; }
+  bool round() const { return body.shape == BodyShape::cylinder; }
   Cell cell(const Index& i) const {
-    if (body.shape == "block") return cubic(i, {body.size[0], body.size[1], body.size[2]}, origin);
-    if (body.shape == "ring") return polar(i);
+    if (body.shape == BodyShape::block) return cubic(i, {body.size[0], body.size[1], body.size[2]}, origin);
+    if (body.shape == BodyShape::ring) return polar(i);
     if (round()) return concentric(i);
     const double R = body.outer_radius;
     Cell c = cubic(i, {2 * R, 2 * R, 2 * R}, origin - Point(R, R, R));
@@ -101,14 +101,14 @@ void visit_cells(const Shape& shape, int layers, Visit&& visit) {
 
 bool within(const Shape& shape, const Index& i) {
   const Index n = Cells(shape).count();
-  const bool first = shape.body->shape == "cylinder" || (i[0] >= 0 && i[0] < n[0]);
+  const bool first = shape.body->shape == BodyShape::cylinder || (i[0] >= 0 && i[0] < n[0]);
   return first && i[1] >= 0 && i[1] < n[1] && i[2] >= 0 && i[2] < n[2];
 }
 
 void mark_faces(PointSet& set, const Shape& shape, const Index& i, const Point& x) {
   const int row = int(set.position.size());
   const auto names = shape.face_names();
-  if (shape.body->shape == "sphere") {
+  if (shape.body->shape == BodyShape::sphere) {
     const double pitch = 2 * shape.body->outer_radius / shape.cells[0];
     const Point centre(shape.body->origin[0], shape.body->origin[1], shape.body->origin[2]);
     const double r = (x - centre).norm();
@@ -120,7 +120,7 @@ void mark_faces(PointSet& set, const Shape& shape, const Index& i, const Point& 
   }
   const Index n = Cells(shape).count();
   // In the order of visit_cells. Rings of a cylinder have different numbers of cells.
-  const bool round = shape.body->shape == "cylinder";
+  const bool round = shape.body->shape == BodyShape::cylinder;
   const Index stride = round ? Index{0, 1, 0} : Index{n[1] * n[2], n[2], 1};
   for (int d = 0; d < 3; ++d)
     for (const bool high : {false, true}) {
@@ -148,7 +148,7 @@ PointSet fill_points(const Shape& shape) {
     set.position.push_back(c.centre), set.volume.push_back(c.volume), set.gap.push_back(c.gap);
   });
   if (set.position.empty()) return set;
-  if (shape.body->shape == "sphere") {
+  if (shape.body->shape == BodyShape::sphere) {
     const double scale = shape.volume() / sum(set.volume);
     for (double& v : set.volume) v *= scale;
   }
@@ -158,7 +158,7 @@ PointSet fill_points(const Shape& shape) {
 
 PointSet continue_points(const Shape& shape, int layers) {
   PointSet set;
-  const bool sphere = shape.body->shape == "sphere";
+  const bool sphere = shape.body->shape == BodyShape::sphere;
   visit_cells(shape, layers, [&](const Index& i, const Cell& c) {
     const bool own = sphere ? c.inside : within(shape, i);
     if (own || (!sphere && !c.inside)) return;

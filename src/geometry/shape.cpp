@@ -25,11 +25,11 @@ double sector(const BodyDeck& b) { return b.end_angle - b.start_angle; }
 
 // Extents along the directions of the lattice, m.
 Triple extents(const BodyDeck& b) {
-  if (b.shape == "block") return b.size;
-  if (b.shape == "ring")
+  if (b.shape == BodyShape::block) return b.size;
+  if (b.shape == BodyShape::ring)
     return {sector(b) * 0.5 * (b.inner_radius + b.outer_radius), b.height, b.outer_radius - b.inner_radius};
-  if (b.shape == "cylinder") return {2 * b.radius, b.height, 2 * b.radius};
-  if (b.fill == "particles") return {2 * b.outer_radius, 2 * b.outer_radius, 2 * b.outer_radius};
+  if (b.shape == BodyShape::cylinder) return {2 * b.radius, b.height, 2 * b.radius};
+  if (b.fill == Fill::particles) return {2 * b.outer_radius, 2 * b.outer_radius, 2 * b.outer_radius};
   const double edge = pi_2 * 0.5 * (b.inner_radius + b.outer_radius);
   return {edge, edge, b.outer_radius - b.inner_radius};
 }
@@ -40,7 +40,7 @@ Triple find_cells(const Deck& deck, const BodyDeck& b) {
   Triple n{};
   if (b.cells) {
     for (int d = 0; d < 3; ++d) n[d] = (*b.cells)[d];
-    if (b.shape == "cylinder") {
+    if (b.shape == BodyShape::cylinder) {
       if (n[0] != n[1])
         reject(deck, b, "cells",
                "needs equal counts in both directions across the axis. Give [across, axial]");
@@ -63,9 +63,10 @@ Triple find_cells(const Deck& deck, const BodyDeck& b) {
 namespace {
 
 double cells_of(const BodyDeck& b, const Triple& n) {
-  if (b.shape == "cylinder") return b.fill == "particles" ? pi / 4 * n[0] * n[0] * n[1] : n[0] * n[0] * n[1];
-  if (b.shape == "sphere") {
-    if (b.fill == "hexes") return 6 * n[0] * n[1] * n[2];
+  if (b.shape == BodyShape::cylinder)
+    return b.fill == Fill::particles ? pi / 4 * n[0] * n[0] * n[1] : n[0] * n[0] * n[1];
+  if (b.shape == BodyShape::sphere) {
+    if (b.fill == Fill::hexes) return 6 * n[0] * n[1] * n[2];
     const double hollow = b.inner_radius / b.outer_radius;
     return pi / 6 * n[0] * n[0] * n[0] * (1 - hollow * hollow * hollow);
   }
@@ -73,16 +74,16 @@ double cells_of(const BodyDeck& b, const Triple& n) {
 }
 
 void check_meshable(const Deck& deck, const BodyDeck& b, const Triple& n) {
-  if (b.fill != "hexes") return;
-  if (b.shape == "sphere" && !(b.inner_radius > 0))
+  if (b.fill != Fill::hexes) return;
+  if (b.shape == BodyShape::sphere && !(b.inner_radius > 0))
     reject(deck, b, "inner_radius",
            "is solid, which hexes cannot fill: expected more than 0 m. Make it hollow, or fill it with "
            "particles");
-  if (b.shape == "cylinder" && n[0] < 3)
+  if (b.shape == BodyShape::cylinder && n[0] < 3)
     reject(deck, b, b.cells ? "cells" : "spacing",
            fmt::format("expected at least 3 hexes across the cylinder, got {:.0f}. Make the hexes smaller",
                        n[0]));
-  if (b.shape == "ring" && sector(b) >= pi && n[0] < 3)
+  if (b.shape == BodyShape::ring && sector(b) >= pi && n[0] < 3)
     reject(
         deck, b, b.cells ? "cells" : "spacing",
         fmt::format("expected at least 3 hexes around the ring, got {:.0f}. Make the hexes smaller", n[0]));
@@ -93,7 +94,7 @@ void check_meshable(const Deck& deck, const BodyDeck& b, const Triple& n) {
 void check_cell_shape(const Deck& deck, const BodyDeck& body, const Triple& n) {
   Triple edge = extents(body);
   for (std::size_t d = 0; d < 3; ++d) edge[d] /= n[d];
-  const double most = body.fill == "particles" ? 100 : 1000;
+  const double most = body.fill == Fill::particles ? 100 : 1000;
   const auto [least, largest] = std::minmax_element(edge.begin(), edge.end());
   if (*largest <= most * *least) return;
   reject(
@@ -149,17 +150,17 @@ Shape make_shape(const Deck& deck, const BodyDeck& body) {
         deck, body, body.cells ? "cells" : "spacing",
         fmt::format("makes {:.4g} {}, which need {:.3g} GiB: expected what fits into the {:.3g} GiB of this "
                     "machine. Make the cells larger or the body smaller",
-                    count, body.fill, count * bytes_per_cell / (1 << 30), memory / (1 << 30)));
+                    count, word_of(body.fill), count * bytes_per_cell / (1 << 30), memory / (1 << 30)));
   Shape shape;
   shape.body = &body;
   for (int d = 0; d < 3; ++d) shape.cells[d] = int(n[d]);
-  if (body.shape != "ring") return shape;
+  if (body.shape != BodyShape::ring) return shape;
 
   shape.closed = sector(body) > 2 * pi * (1 - 1e-12);
   shape.inner = [radius = body.inner_radius](double, double) { return radius; };
   shape.inner_least = body.inner_radius;
   if (!body.previous_tooth) return shape;
-  if (!deck.tool || deck.tool->kind != "end_mill")
+  if (!deck.tool || deck.tool->kind != ToolKind::end_mill)
     reject(deck, body, "previous_tooth", "needs a tool of kind \"end_mill\"");
   shape.inner = previous_tooth_surface(*deck.tool, body.origin);
   double most = 0;
@@ -182,27 +183,27 @@ Shape make_shape(const Deck& deck, const BodyDeck& body) {
 double Shape::volume() const {
   const BodyDeck& b = *body;
   const auto cube = [](double r) { return r * r * r; };
-  if (b.shape == "block") return b.size[0] * b.size[1] * b.size[2];
-  if (b.shape == "cylinder") return pi * b.radius * b.radius * b.height;
-  if (b.shape == "sphere") return 4.0 / 3.0 * pi * (cube(b.outer_radius) - cube(b.inner_radius));
+  if (b.shape == BodyShape::block) return b.size[0] * b.size[1] * b.size[2];
+  if (b.shape == BodyShape::cylinder) return pi * b.radius * b.radius * b.height;
+  if (b.shape == BodyShape::sphere) return 4.0 / 3.0 * pi * (cube(b.outer_radius) - cube(b.inner_radius));
   return 0.5 * sector(b) * (b.outer_radius - b.inner_radius) * (b.outer_radius + b.inner_radius) * b.height;
 }
 
 double Shape::signed_distance(const Point& x) const {
   const BodyDeck& b = *body;
   const Point r = x - Point(b.origin[0], b.origin[1], b.origin[2]);
-  if (b.shape == "block") {
+  if (b.shape == BodyShape::block) {
     double distance = -std::numeric_limits<double>::infinity();
     for (int d = 0; d < 3; ++d) distance = std::max({distance, -r[d], r[d] - b.size[d]});
     return distance;
   }
-  if (b.shape == "sphere") {
+  if (b.shape == BodyShape::sphere) {
     const double outside = r.norm() - b.outer_radius;
     return b.inner_radius > 0 ? std::max(outside, b.inner_radius - r.norm()) : outside;
   }
   const double radius = std::hypot(r.x(), r.y());
   const double along = std::max(-r.z(), r.z() - b.height);
-  if (b.shape == "cylinder") return std::max(along, radius - b.radius);
+  if (b.shape == BodyShape::cylinder) return std::max(along, radius - b.radius);
   const double angle = std::atan2(r.y(), r.x());
   // The inner surface costs an iteration, and cannot matter outside.
   const double outside = radius - b.outer_radius;
@@ -215,9 +216,9 @@ double Shape::signed_distance(const Point& x) const {
 }
 
 std::array<std::array<std::string, 2>, 3> Shape::face_names() const {
-  if (body->shape == "block") return {{{"x_min", "x_max"}, {"y_min", "y_max"}, {"z_min", "z_max"}}};
-  if (body->shape == "cylinder") return {{{"", ""}, {"bottom", "top"}, {"", "side"}}};
-  if (body->shape == "sphere") return {{{"", ""}, {"", ""}, {"inner", "outer"}}};
+  if (body->shape == BodyShape::block) return {{{"x_min", "x_max"}, {"y_min", "y_max"}, {"z_min", "z_max"}}};
+  if (body->shape == BodyShape::cylinder) return {{{"", ""}, {"bottom", "top"}, {"", "side"}}};
+  if (body->shape == BodyShape::sphere) return {{{"", ""}, {"", ""}, {"inner", "outer"}}};
   if (closed) return {{{"", ""}, {"bottom", "top"}, {"inner", "outer"}}};
   return {{{"start", "end"}, {"bottom", "top"}, {"inner", "outer"}}};
 }

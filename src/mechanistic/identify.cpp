@@ -1,6 +1,6 @@
 #include "src/mechanistic/identify.hpp"
-#include "src/deck/units.hpp"
 #include "src/files/results.hpp"
+#include "src/units/units.hpp"
 #include "src/windows/join_windows.hpp"
 #include <Eigen/Dense>
 #include <algorithm>
@@ -62,15 +62,18 @@ class Fit {
 
 using Components = std::vector<std::pair<std::size_t, double>>; // axis, force on the tool
 
-void add_mill(Fit& fit, const MillEdge& edge, const MillCut& cut, double immersion,
-              const Components& forces) {
+struct Measured {
+  double immersion; // rad
+  Components forces;
+};
+void add_mill(Fit& fit, const MillEdge& edge, const MillCut& cut, const Measured& at) {
   std::array<std::array<double, 3>, 6> sum{};
   for (int tooth = 0; tooth < cut.tool.flutes; ++tooth) {
-    const auto shares = find_shares(edge, cut, tooth, immersion);
+    const auto shares = find_shares(edge, cut, tooth, at.immersion);
     for (std::size_t k = 0; k < 6; ++k)
       for (std::size_t a = 0; a < 3; ++a) sum[k][a] += shares[k].force[a];
   }
-  for (const auto& [axis, force] : forces) {
+  for (const auto& [axis, force] : at.forces) {
     std::array<double, 6> row{};
     for (std::size_t k = 0; k < 6; ++k) row[k] = sum[k][axis];
     fit.add(row, force);
@@ -120,7 +123,7 @@ void add_mill_run(Fit& fit, const fs::path& folder, const Deck& deck, Mechanisti
     for (std::size_t i = 0; i < table.rows(); ++i) {
       Components forces{{0, table.at("force_x")[i]}, {1, table.at("force_y")[i]}};
       if (cut.helix != 0) forces.emplace_back(2, table.at("force_z")[i]);
-      add_mill(fit, edge, cut, table.at("immersion")[i] * degree, forces);
+      add_mill(fit, edge, cut, {table.at("immersion")[i] * degree, forces});
     }
     return;
   }
@@ -129,7 +132,7 @@ void add_mill_run(Fit& fit, const fs::path& folder, const Deck& deck, Mechanisti
   for (const auto& mean : block_means(history, {"immersion", "force_x", "force_y", "force_z"}, 1.0 / 3)) {
     Components forces{{0, mean[1]}, {1, mean[2]}};
     if (cut.helix != 0) forces.emplace_back(2, mean[3]);
-    add_mill(fit, edge, cut, mean[0] * degree, forces);
+    add_mill(fit, edge, cut, {mean[0] * degree, forces});
   }
 }
 
@@ -141,7 +144,8 @@ void add_wedge_run(Fit& fit, const fs::path& folder, const Deck& deck) {
                     ": tool: coefficients come from orthogonal cuts along x, without inclination.");
   double top = -1e300, low = 1e300, high = -1e300;
   for (const BodyDeck& body : deck.bodies) {
-    if (body.shape != "block") throw DeckError(deck.file + ": body.shape: expected blocks under a wedge.");
+    if (body.shape != BodyShape::block)
+      throw DeckError(deck.file + ": body.shape: expected blocks under a wedge.");
     top = std::max(top, body.origin[1] + body.size[1]);
     low = std::min(low, body.origin[2]), high = std::max(high, body.origin[2] + body.size[2]);
   }
@@ -198,7 +202,7 @@ Identified identify_from_table(const fs::path& csv, const Deck& deck, const Mech
     }
     Components forces{{0, table.at("force_x")[i]}, {1, table.at("force_y")[i]}};
     if (table.has("force_z")) forces.emplace_back(2, table.at("force_z")[i]);
-    add_mill(fit, at->second, cut, table.at("immersion")[i], forces);
+    add_mill(fit, at->second, cut, {table.at("immersion")[i], forces});
   }
   Identified found = fit.solve(csv.string());
   found.how = fmt::format("least squares of {} forces of {} at {} feed{}", found.points, csv.string(),
@@ -208,26 +212,26 @@ Identified identify_from_table(const fs::path& csv, const Deck& deck, const Mech
 
 Identified identify_from_runs(const std::vector<std::string>& folders, MechanisticDeck model) {
   Fit fit;
-  std::string kind;
+  std::optional<ToolKind> kind;
   for (const std::string& folder : folders) {
     const Deck deck = deck_of(folder);
-    const std::string its = deck.tool ? deck.tool->kind : "none";
-    if (its != "end_mill" && its != "wedge")
+    if (!deck.tool || (deck.tool->kind != ToolKind::end_mill && deck.tool->kind != ToolKind::wedge))
       throw DeckError(
           fmt::format("{}: has a tool of kind \"{}\": coefficients come from runs of an end mill or of a "
                       "wedge.",
-                      folder, its));
-    if (!kind.empty() && its != kind)
+                      folder, deck.tool ? word_of(deck.tool->kind) : "none"));
+    if (kind && deck.tool->kind != *kind)
       throw DeckError(folder + ": is of another kind of tool than the folder before it. Give them apart.");
-    kind = its;
-    if (its == "wedge")
+    kind = deck.tool->kind;
+    if (kind == ToolKind::wedge)
       add_wedge_run(fit, folder, deck);
     else
       add_mill_run(fit, folder, deck, model);
   }
   Identified found = fit.solve(folders.front());
-  found.how = fmt::format("least squares of {} mean forces of {} run{} of {}", found.points, folders.size(),
-                          folders.size() == 1 ? "" : "s", kind == "wedge" ? "a wedge" : "an end mill");
+  found.how =
+      fmt::format("least squares of {} mean forces of {} run{} of {}", found.points, folders.size(),
+                  folders.size() == 1 ? "" : "s", kind == ToolKind::wedge ? "a wedge" : "an end mill");
   return found;
 }
 

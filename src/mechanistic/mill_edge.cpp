@@ -15,8 +15,10 @@ double wrap(double angle) { return angle - 2 * pi * std::floor(angle / (2 * pi))
 double overlap(const Deck& deck) {
   double low = 1e300, high = -1e300;
   for (const BodyDeck& body : deck.bodies) {
-    const bool ball = body.shape == "sphere";
-    const double height = body.shape == "block" ? body.size[2] : ball ? 2 * body.outer_radius : body.height;
+    const bool ball = body.shape == BodyShape::sphere;
+    const double height = body.shape == BodyShape::block ? body.size[2]
+                          : ball                         ? 2 * body.outer_radius
+                                                         : body.height;
     const double base = body.origin[2] - (ball ? body.outer_radius : 0);
     low = std::min(low, base), high = std::max(high, base + height);
   }
@@ -31,7 +33,7 @@ double MillCut::lag() const { return depth * std::tan(helix) / (0.5 * tool.diame
 double MillCut::feed_speed() const { return tool.feed_per_tooth * tool.spindle_speed / pitch(); }
 
 MillCut find_cut(const Deck& deck, const MechanisticDeck& model) {
-  if (!deck.tool || deck.tool->kind != "end_mill")
+  if (!deck.tool || deck.tool->kind != ToolKind::end_mill)
     throw DeckError(deck.file +
                     ": tool: the mechanistic model is one of an end mill. Give a deck that has one.");
   MillCut cut;

@@ -1,13 +1,7 @@
-#include "src/output/read_parts.hpp"
-
-#include <fmt/format.h>
-
-#include <vtkCallbackCommand.h>
+#include "src/output/open_vtk.hpp"
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkExecutive.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -17,18 +11,8 @@ namespace {
 
 vtkSmartPointer<vtkUnstructuredGrid> read_grid(const ResultsFolder& results, const FrameEntry& entry,
                                                const std::string& part) {
-  const auto file = frame_file(results, entry.index, part);
-  check_frame_file(file, entry, part);
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  vtkNew<vtkCallbackCommand> quiet; // an observer keeps VTK from printing errors
-  reader->AddObserver(vtkCommand::ErrorEvent, quiet);
-  reader->SetParserErrorObserver(quiet);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
-    throw ResultsError(
-        fmt::format("{}: is no frame that VTK can read; it was damaged after the run", file.string()));
+  open_frame_file(reader.Get(), results, entry, part);
   return reader->GetOutput();
 }
 

@@ -8,10 +8,10 @@ namespace swarf {
 // of the balance, where the tool's file lies), and the tool's facets as a number.
 std::string restart_text(const Deck& deck, const Scene& scene);
 
-// The tool's facets as a number, "" without a tool.
+// The tool's facets, their count and a checksum, "" without a tool.
 std::string facets_text(const Scene& scene);
 
-// Each key of two resolved texts that differs, with both values: to the last digit, or in the first six.
-std::vector<std::string> list_text_changes(const std::string& before, const std::string& now, bool exactly);
+// Each key of two such texts whose value differs, with both values.
+std::vector<std::string> list_restart_changes(const std::string& before, const std::string& now);
 
 } // namespace swarf

@@ -53,15 +53,15 @@ int count_labels(ColourRange& range) {
       if (steps % intervals == 0) return intervals + 1;
 }
 
-void add_text(vtkRenderer* renderer, const std::string& words, int size, double x, double y, bool centred) {
+void add_text(vtkRenderer* renderer, const Label& label) {
   vtkNew<vtkTextActor> text;
-  text->SetInput(words.c_str());
-  text->GetTextProperty()->SetFontSize(size);
+  text->SetInput(label.words.c_str());
+  text->GetTextProperty()->SetFontSize(label.size);
   text->GetTextProperty()->SetColor(0, 0, 0);
   text->GetTextProperty()->SetBackgroundColor(1, 1, 1);
   text->GetTextProperty()->SetBackgroundOpacity(0.75);
-  if (centred) text->GetTextProperty()->SetJustificationToCentered();
-  text->SetPosition(x, y);
+  if (label.centred) text->GetTextProperty()->SetJustificationToCentered();
+  text->SetPosition(label.x, label.y);
   renderer->AddActor2D(text);
 }
 
@@ -87,7 +87,7 @@ void add_scale_bar(vtkRenderer* renderer, double metres_per_pixel) {
   renderer->AddActor2D(actor);
   const bool small = length < 0.999e-3;
   const std::string words = fmt::format("{:.4g} {}", length * (small ? 1e6 : 1e3), small ? "\u00b5m" : "mm");
-  add_text(renderer, words, 26, (left + right) / 2, height + 14, true);
+  add_text(renderer, {words, 26, (left + right) / 2, height + 14, true});
 }
 
 vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& title, int labels,
@@ -110,7 +110,7 @@ vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& 
   bar->SetWidth(width), bar->SetHeight(0.58);
   bar->SetBarRatio(0.5);
   renderer->AddActor2D(bar);
-  add_text(renderer, title, 26, picture_width / 2.0, bar_height - 38, true);
+  add_text(renderer, {title, 26, picture_width / 2.0, double(bar_height - 38), true});
   return renderer;
 }
 

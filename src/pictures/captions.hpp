@@ -27,8 +27,13 @@ vtkNew<vtkRenderer> make_colour_bar(vtkLookupTable* colours, const std::string& 
                                     int picture_width);
 // A bar of a round length, about a quarter of a view, at the lower left.
 void add_scale_bar(vtkRenderer* renderer, double metres_per_pixel);
-void add_text(vtkRenderer* renderer, const std::string& words, int size, double x, double y,
-              bool centred = false);
+struct Label {
+  std::string words;
+  int size;             // of the font
+  double x, y;          // pixels, of its lower left corner
+  bool centred = false; // about x
+};
+void add_text(vtkRenderer* renderer, const Label& label);
 std::string frame_label(const FrameEntry& entry);
 
 } // namespace swarf

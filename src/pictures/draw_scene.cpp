@@ -1,6 +1,6 @@
 #include "src/pictures/draw_scene.hpp"
-#include "src/pictures/display.hpp"
 #include "src/pictures/render.hpp"
+#include "src/plots/display.hpp"
 #include "src/tool/geometry.hpp"
 #include <cerrno>
 #include <cstdlib>

@@ -1,13 +1,9 @@
 #include "src/pictures/render_view.hpp"
 
-#include "src/output/read_parts.hpp"
+#include "src/output/open_vtk.hpp"
 
-#include <fmt/format.h>
-
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDataSetSurfaceFilter.h>
-#include <vtkExecutive.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkThreshold.h>
@@ -34,18 +30,8 @@ void scale_points(vtkPointSet* set) {
 }
 
 template <class Reader>
-void read(Reader* reader, const std::filesystem::path& file, const FrameEntry& entry,
-          const std::string& part) {
-  check_frame_file(file, entry, part);
-  vtkNew<vtkCallbackCommand> quiet; // an observer keeps VTK from printing errors
-  reader->AddObserver(vtkCommand::ErrorEvent, quiet);
-  reader->SetParserErrorObserver(quiet);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
-    throw ResultsError(
-        fmt::format("{}: is no frame that VTK can read; it was damaged after the run", file.string()));
+void read(Reader* reader, const ResultsFolder& results, const FrameEntry& entry, const std::string& part) {
+  open_frame_file(reader, results, entry, part);
   scale_points(reader->GetOutput());
 }
 
@@ -151,7 +137,7 @@ vtkSmartPointer<vtkPolyData> load_tool(const ResultsFolder& results, const Frame
                                        const std::optional<ShownField>& field) {
   const auto file = frame_file(results, entry.index, "tool");
   vtkNew<vtkXMLPolyDataReader> reader;
-  read(reader.Get(), file, entry, "tool");
+  read(reader.Get(), results, entry, "tool");
   vtkSmartPointer<vtkPolyData> tool = reader->GetOutput();
   if (field) add_shown(tool->GetCellData(), *field, file);
   return tool;
@@ -169,7 +155,7 @@ LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, co
   if (entry.particles) {
     const auto file = frame_file(results, entry.index, "particles");
     vtkNew<vtkXMLUnstructuredGridReader> reader;
-    read(reader.Get(), file, entry, "particles");
+    read(reader.Get(), results, entry, "particles");
     const auto present = present_particles(reader->GetOutput());
     frame.particles = vtkSmartPointer<vtkPolyData>::New();
     frame.particles->SetPoints(present->GetPoints());
@@ -182,7 +168,7 @@ LoadedFrame load_frame(const ResultsFolder& results, const FrameEntry& entry, co
   if (entry.hexes) {
     const auto file = frame_file(results, entry.index, "hexes");
     vtkNew<vtkXMLUnstructuredGridReader> reader;
-    read(reader.Get(), file, entry, "hexes");
+    read(reader.Get(), results, entry, "hexes");
     vtkUnstructuredGrid* grid = reader->GetOutput();
     if (grid->GetPointData()->HasArray(field.name.c_str()))
       add_shown(grid->GetPointData(), field, file);

@@ -1,7 +1,7 @@
 #include "src/pictures/pictures.hpp"
 #include "src/files/say.hpp"
-#include "src/pictures/plot.hpp"
 #include "src/pictures/render.hpp"
+#include "src/plots/plot.hpp"
 #include "src/windows/join_windows.hpp"
 
 namespace swarf {

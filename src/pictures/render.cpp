@@ -2,9 +2,9 @@
 
 #include "src/files/say.hpp"
 #include "src/pictures/captions.hpp"
-#include "src/pictures/display.hpp"
-#include "src/pictures/png.hpp"
 #include "src/pictures/render_view.hpp"
+#include "src/plots/display.hpp"
+#include "src/plots/png.hpp"
 
 #include <fmt/format.h>
 
@@ -76,9 +76,13 @@ Look find_look(const std::vector<LoadedFrame>& frames, const ShownField& field,
   return {field, aim_camera(options, frames), labels, make_colours(range.least, range.most)};
 }
 
-// Views of frames first to last, side by side.
-void draw_views(const std::vector<LoadedFrame>& frames, std::size_t first, std::size_t last, const Look& look,
-                const fs::path& png) {
+struct Shown { // the frames from first to last, of all, which the camera follows
+  const std::vector<LoadedFrame>& frames;
+  std::size_t first, last;
+};
+// Views side by side.
+void draw_views(const Shown& shown, const Look& look, const fs::path& png) {
+  const auto& [frames, first, last] = shown;
   const Camera& camera = look.camera;
   const int n = int(last - first) + 1, columns = n <= 4 || n * camera.width <= 2600 ? n : (n + 1) / 2;
   const int rows = (n + columns - 1) / columns;
@@ -99,7 +103,7 @@ void draw_views(const std::vector<LoadedFrame>& frames, std::size_t first, std::
     const double bottom = height - (k / columns + 1.0) * camera.height, gap = 3; // white, between views
     view->SetViewport((left + gap) / width, (bottom + gap) / height, (left + camera.width - gap) / width,
                       (bottom + camera.height - gap) / height);
-    add_text(view, frame_label(frames[at].entry), 30, 20, camera.height - 50);
+    add_text(view, {frame_label(frames[at].entry), 30, 20, double(camera.height - 50)});
     window->AddRenderer(view);
   }
   const auto bar = make_colour_bar(look.colours, look.field.title, look.labels, width);
@@ -124,7 +128,7 @@ std::vector<FrameEntry> list_sound(const ResultsFolder& results, std::vector<Fra
 }
 
 PictureOptions options_of(const Deck& deck) {
-  return {deck.output.picture_field, deck.output.picture_view, 0};
+  return {word_of(deck.output.picture_field), deck.output.picture_view, 0};
 }
 
 // Debian's ffmpeg, from numbered pictures; "" or what went wrong.
@@ -152,7 +156,7 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
                  const PictureOptions& options, const fs::path& png) {
   const ShownField field = describe_field(options.field);
   const std::vector<LoadedFrame> frames = load_frames(results, entries, field);
-  draw_views(frames, 0, frames.size() - 1, find_look(frames, field, options), png);
+  draw_views({frames, 0, frames.size() - 1}, find_look(frames, field, options), png);
 }
 
 void render_film(const std::string& results_folder) {
@@ -165,7 +169,7 @@ void render_film(const std::string& results_folder) {
   const fs::path single = results.pictures() / "film", film = results.pictures() / "chip.mp4";
   make_folder(single);
   for (std::size_t k = 0; k < frames.size(); ++k)
-    draw_views(frames, k, k, look, single / fmt::format("{:04d}.png", k));
+    draw_views({frames, k, k}, look, single / fmt::format("{:04d}.png", k));
   const int per_second = std::clamp(int(frames.size()) / 8, 4, 25); // about eight seconds
   const std::string why_not = make_film(single, per_second, film);
   fs::remove_all(single);

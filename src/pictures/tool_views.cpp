@@ -1,10 +1,10 @@
 // The tool alone, seen from where the chip comes and from the finished surface, coloured by what it feels.
 #include "src/files/say.hpp"
 #include "src/pictures/captions.hpp"
-#include "src/pictures/display.hpp"
-#include "src/pictures/png.hpp"
 #include "src/pictures/render.hpp"
 #include "src/pictures/render_view.hpp"
+#include "src/plots/display.hpp"
+#include "src/plots/png.hpp"
 #include "src/tool/geometry.hpp"
 
 #include <fmt/format.h>
@@ -161,8 +161,8 @@ void draw(const std::vector<SeenTool>& frames, const ShownField& field, const st
       const double left = margin + k * view_size, bottom = bar_height + (of_rake ? view_size : 0);
       view->SetViewport((left + gap) / width, (bottom + gap) / height, (left + view_size - gap) / width,
                         (bottom + view_size - gap) / height);
-      add_text(view, fmt::format("{}, {}", of_rake ? "rake" : "flank", frame_label(frame.entry)), 26, 20,
-               view_size - 46);
+      add_text(view, {fmt::format("{}, {}", of_rake ? "rake" : "flank", frame_label(frame.entry)), 26, 20,
+                      double(view_size - 46)});
       window->AddRenderer(view);
     }
   const auto bar = make_colour_bar(colours, field.title, labels, width);

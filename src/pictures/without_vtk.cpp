@@ -1,4 +1,5 @@
 // In place of all that draws, where swarf is built without VTK.
+#include "src/plots/without_vtk.hpp"
 #include "src/files/say.hpp"
 #include "src/pictures/draw_scene.hpp"
 #include "src/pictures/pictures.hpp"
@@ -7,9 +8,7 @@
 namespace swarf {
 namespace {
 
-const char* const what_to_do =
-    "this swarf was built without VTK and draws nothing. Install VTK 9.1 (Debian: libvtk9-dev) and build it "
-    "with -DSWARF_PICTURES=ON, or plot the history with the Python package: swarf.read(\"results/NAME\")";
+const std::string what_to_do = without_vtk;
 
 } // namespace
 
@@ -22,7 +21,6 @@ void render_film(const std::string& results) { throw ResultsError(results + ": "
 void draw_scene(const Deck&, const Scene&, const std::string& png) {
   throw ResultsError(png + ": " + what_to_do);
 }
-void draw_surface(const std::string&, const SurfaceReport&) { complain("no pictures: {}", what_to_do); }
 void draw_windows(const std::string&) { complain("no picture: {}", what_to_do); }
 void draw_all(const std::string&) { complain("no pictures: {}", what_to_do); }
 

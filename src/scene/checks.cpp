@@ -26,8 +26,10 @@ double chord_depth(const FilledBody& body) {
 
 Centres find_centres(const FilledBody& body) {
   Centres c;
-  const bool clipped = body.has_particles() && body.deck->shape == "sphere"; // centres may lie on its surface
-  const bool straight = body.deck->shape == "block" || body.deck->shape == "ring"; // hexes are nearly bricks
+  const bool clipped =
+      body.has_particles() && body.deck->shape == BodyShape::sphere; // centres may lie on its surface
+  const bool straight =
+      body.deck->shape == BodyShape::block || body.deck->shape == BodyShape::ring; // hexes are nearly bricks
   c.position = body.points.position;
   for (double gap : body.points.gap) c.inset.push_back(clipped ? 0 : gap);
   for (const auto& hex : body.hexes.hex) {
@@ -110,7 +112,7 @@ void check_tool_outside(const Deck& deck, const Scene& scene) {
         line_of(deck.file, "[tool]", "position"), body.name, body.line, is_known ? "" : "more than ",
         1e6 * std::min(double(deepest.depth), double(scene.tool.reach)), x.x, x.y, x.z,
         is_node ? "" : ", the centre of a particle, whose own surface lies half a spacing around it",
-        deck.tool->kind == "end_mill" ? ", or choose a start_angle outside of the material" : ""));
+        deck.tool->kind == ToolKind::end_mill ? ", or choose a start_angle outside of the material" : ""));
   }
 }
 

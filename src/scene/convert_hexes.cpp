@@ -136,9 +136,16 @@ struct BaseTemperature {
   double particle = 0, hex = 0;
 };
 
-// Particle i takes the mass up to `mass` from hex e, which had `hex_mass`, and the hex's state with it.
-void take_over(const HostPoints& p, int i, const HostPoints& hex, int e, double mass, double hex_mass,
-               const BaseTemperature& base) {
+// A particle takes the mass up to `mass` from a hex, which had `hex_mass`, and the hex's state with it.
+struct TakeOver {
+  int particle, hex;
+  double mass, hex_mass; // kg
+  BaseTemperature base;
+};
+void take_over(const HostPoints& p, const HostPoints& hex, const TakeOver& what) {
+  const int i = what.particle, e = what.hex;
+  const double mass = what.mass, hex_mass = what.hex_mass;
+  const BaseTemperature& base = what.base;
   const double own = double(p.mass(i)), more = mass - own;
   p.mass(i) = Real(mass);
   if (more <= 0 || hex_mass <= 0) return;
@@ -210,7 +217,7 @@ void set_new_rows(const Deck& deck, const Scene& scene, Particles& p, const Rows
     const Real scaled = Real(deck.run.mass_factor) * density(i);
     const bool is_new = rows.source[std::size_t(i)] < 0;
     if (is_new) inverse_support(i) = Real(0.5 / (deck.particles.smoothing_ratio * lattice.spacing));
-    if (deck.particles.smoothing_length == "evolving")
+    if (deck.particles.smoothing_length == SmoothingLength::evolving)
       inverse_support(i) *= std::cbrt(is_new ? density(i) / material.density : scaled / impedance(i, 1));
     impedance(i, 0) = scaled * longitudinal_wave_speed(material) / Real(std::sqrt(deck.run.mass_factor));
     impedance(i, 1) = scaled, impedance(i, 2) = material.shear_modulus;
@@ -247,7 +254,7 @@ void hand_over(const Scene& scene, const Particles& p, const Rows& rows, const C
       base.particle += N[a] * T_a, base.hex += T_a / 8;
     }
     const double mass = c.weight * of.mass[std::size_t(c.hex)] / of.cells_of(c.hex);
-    take_over(points, rows.first + k, hexes, c.hex, mass, hex_mass[std::size_t(c.hex)], base);
+    take_over(points, hexes, {rows.first + k, c.hex, mass, hex_mass[std::size_t(c.hex)], base});
   }
   for (int e = 0; e < m.points.count; ++e) {
     hexes.mass(e) = Real(layout.share[std::size_t(e)] * of.mass[std::size_t(e)]);

@@ -26,7 +26,7 @@ Transform to_transform(const RigidMap& map) {
 
 Point origin_of(const BodyDeck& b) { return {b.origin[0], b.origin[1], b.origin[2]}; }
 
-const FaceDeck* find_face(const BodyDeck& body, const std::string& name, const std::string& kind) {
+const FaceDeck* find_face(const BodyDeck& body, const std::string& name, FaceKind kind) {
   for (const FaceDeck& face : body.faces)
     if (face.face == name && face.kind == kind) return &face;
   return nullptr;
@@ -111,14 +111,14 @@ class Collector {
 
   void hold_faces(const FilledBody& body) {
     for (const FaceDeck& face : body.deck->faces) {
-      const bool all = face.kind == "fixed" || face.kind == "velocity";
-      if (!all && (body.has_particles() || face.kind != "symmetric")) continue;
+      const bool all = face.kind == FaceKind::fixed || face.kind == FaceKind::velocity;
+      if (!all && (body.has_particles() || face.kind != FaceKind::symmetric)) continue;
       if (!all && !body.shape.is_plane(face.face))
         reject(deck, *body.deck, "faces." + face.face,
                "must be plane to be symmetric. Use \"fixed\" or a velocity");
       Constraint row;
       row.all = all;
-      row.velocity = to_vector3(face.kind == "velocity" ? face.velocity : Triple{});
+      row.velocity = to_vector3(face.kind == FaceKind::velocity ? face.velocity : Triple{});
       if (!all) row.normal = to_vector3(body.shape.plane(face.face).normal);
       const unsigned bit = bit_of(body, face, row);
       const FaceMembers& members = body.has_particles() ? body.points.faces : body.hexes.faces;
@@ -172,9 +172,10 @@ class Collector {
   // The two faces of one direction of a body of particles.
   void add_planes(const FilledBody& body, const std::string& low, const std::string& high) {
     if (low.empty() || high.empty() || !body.shape.is_plane(low)) return;
-    const bool periodic = find_face(*body.deck, low, "periodic") && find_face(*body.deck, high, "periodic");
-    const bool at_low = periodic || find_face(*body.deck, low, "symmetric");
-    const bool at_high = periodic || find_face(*body.deck, high, "symmetric");
+    const bool periodic =
+        find_face(*body.deck, low, FaceKind::periodic) && find_face(*body.deck, high, FaceKind::periodic);
+    const bool at_low = periodic || find_face(*body.deck, low, FaceKind::symmetric);
+    const bool at_high = periodic || find_face(*body.deck, high, FaceKind::symmetric);
     if (!at_low && !at_high) return;
     const std::string key = "faces." + (at_low ? low : high);
     if (low == "start" && body.deck->end_angle - body.deck->start_angle > std::numbers::pi * (1 + 1e-12))
@@ -209,7 +210,8 @@ class Collector {
 
   void couple_faces(const FilledBody& body) {
     for (const auto& [low, high] : body.shape.face_names()) {
-      if (!find_face(*body.deck, low, "periodic") || !find_face(*body.deck, high, "periodic")) continue;
+      if (!find_face(*body.deck, low, FaceKind::periodic) || !find_face(*body.deck, high, FaceKind::periodic))
+        continue;
       const RigidMap map = period(body.shape, low, high);
       const int row = transform_row(map);
       const auto &from = body.hexes.faces.at(low), &to = body.hexes.faces.at(high);
@@ -242,10 +244,10 @@ class Collector {
   // Where tied bodies end in one plane, both are periodic or none, and the hexes behind a mirror of particles
   // may not move through it.
   void check_tied_faces() const {
-    const auto kind = [](const BodyDeck& body, const std::string& face) -> std::string {
+    const auto kind = [](const BodyDeck& body, const std::string& face) {
       for (const FaceDeck& f : body.faces)
         if (f.face == face) return f.kind;
-      return "free";
+      return FaceKind::free;
     };
     for (const FilledBody& body : bodies)
       for (const FilledBody& host : bodies) {
@@ -254,14 +256,15 @@ class Collector {
           for (const auto& [other, at] : list_planes(host)) {
             const double apart =
                 std::abs(plane.offset - at.offset) / cutoff + (plane.normal - at.normal).norm();
-            const std::string a = kind(*body.deck, name), b = kind(*host.deck, other);
-            const bool differ = (a == "periodic") != (b == "periodic") || (a == "symmetric" && b == "free");
+            const FaceKind a = kind(*body.deck, name), b = kind(*host.deck, other);
+            const bool differ = (a == FaceKind::periodic) != (b == FaceKind::periodic) ||
+                                (a == FaceKind::symmetric && b == FaceKind::free);
             if (apart < 1e-6 && differ)
               reject(deck, *body.deck, "faces." + name,
                      fmt::format(
                          "is {}, and face {} of \"{}\" in the same plane is {}: expected the same for both. "
                          "Change one",
-                         a, other, host.deck->name, b));
+                         word_of(a), other, host.deck->name, word_of(b)));
           }
       }
   }

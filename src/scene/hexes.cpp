@@ -53,7 +53,8 @@ std::vector<FreeQuad> list_free_quads(const std::vector<FilledBody>& bodies) {
     std::vector<std::vector<bool>> inner_faces;
     for (const FaceDeck& face : b.deck->faces) {
       const auto at = b.hexes.faces.find(face.face);
-      if ((face.kind != "periodic" && face.kind != "symmetric") || at == b.hexes.faces.end()) continue;
+      if ((face.kind != FaceKind::periodic && face.kind != FaceKind::symmetric) || at == b.hexes.faces.end())
+        continue;
       inner_faces.emplace_back(b.hexes.node.size(), false);
       for (int node : at->second) inner_faces.back()[std::size_t(node)] = true;
     }

@@ -44,7 +44,7 @@ std::vector<int> particle_rows(const Particles& p) {
 
 bool uses(const Deck& deck, Method method) {
   const ParticlesDeck& set = deck.particles;
-  const bool initial = set.kernel_frame == "initial";
+  const bool initial = set.kernel_frame == KernelFrame::initial;
   switch (method) {
   case Method::always:
     return true;
@@ -68,7 +68,7 @@ bool uses(const Deck& deck, Method method) {
   case Method::with_freeze:
     return bool(deck.sleep.distance);
   case Method::with_summation:
-    return set.density == "summation";
+    return set.density == DensityRule::summation;
   case Method::with_surface_gradient:
     return set.correction && set.correct_forces;
   case Method::with_thermal_stress:

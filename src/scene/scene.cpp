@@ -43,10 +43,10 @@ Material make_material(const MaterialDeck& deck) {
   m.conductivity_table = make_table(deck.conductivity, 1);
   m.thermal_expansion = Real(deck.thermal_expansion);
   m.taylor_quinney = Real(deck.taylor_quinney);
-  static const std::map<std::string, FlowLaw> laws = {{"linear_hardening", FlowLaw::linear_hardening},
-                                                      {"johnson_cook", FlowLaw::johnson_cook},
-                                                      {"johnson_cook_tanh", FlowLaw::johnson_cook_tanh},
-                                                      {"zerilli_armstrong", FlowLaw::zerilli_armstrong}};
+  static const std::map<Law, FlowLaw> laws = {{Law::linear_hardening, FlowLaw::linear_hardening},
+                                              {Law::johnson_cook, FlowLaw::johnson_cook},
+                                              {Law::johnson_cook_tanh, FlowLaw::johnson_cook_tanh},
+                                              {Law::zerilli_armstrong, FlowLaw::zerilli_armstrong}};
   if (laws.contains(deck.law)) m.law = laws.at(deck.law);
   if (m.law == FlowLaw::linear_hardening)
     m.linear_hardening = {Real(deck.yield_stress), Real(deck.hardening_modulus)};
@@ -195,7 +195,7 @@ FacetSurface make_surface(const Deck& deck) {
     return make_tool_surface(*deck.tool, std::filesystem::path(deck.file).parent_path().string());
   } catch (const DeckError& error) {
     const std::string what = error.what();
-    const bool is_file = deck.tool->kind == "stl";
+    const bool is_file = deck.tool->kind == ToolKind::stl;
     const bool names_key = what.starts_with("tool.");
     const std::string key = is_file ? "file" : names_key ? what.substr(5, what.find(':') - 5) : "kind";
     throw DeckError(
@@ -244,7 +244,8 @@ Scene build_scene(const Deck& deck) {
 
   Scene scene;
   const double support = 2 * largest_smoothing_length(deck, bodies);
-  scene.skin = deck.particles.kernel_frame == "initial" ? 0 : deck.particles.skin * support; // nobody moves
+  scene.skin =
+      deck.particles.kernel_frame == KernelFrame::initial ? 0 : deck.particles.skin * support; // nobody moves
   scene.cutoff = support + scene.skin;
   for (const FilledBody& b : bodies)
     if (b.points.spacing > 0 && (scene.spacing == 0 || b.points.spacing < scene.spacing))

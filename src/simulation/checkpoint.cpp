@@ -89,11 +89,34 @@ void check_indices(const CheckpointReader& in, const Scene& scene, const Deck& d
 
 } // namespace
 
+template <class Self, class Visit>
+void Simulation::visit_state(Self& s, const Visit& visit) {
+  visit("time", s.now), visit("step_size", s.step_size), visit("steps", s.steps);
+  visit("next_check", s.next_check), visit("rebuild_count", s.rebuild_count), visit("lists_due", s.lists_due);
+  visit("steps_at_sample", s.steps_at_sample), visit("reference_step", s.contact_law.reference_step);
+  visit("particle_step", s.particle_step), visit("wave_step", s.wave_step),
+      visit("pressure_time", s.pressure_pace.waited);
+  visit("heat_step", s.heat_step), visit("heat_time", s.heat_pace.waited);
+  visit("shift_speed", s.shift_speed), visit("way_since_shift", s.way_since_shift);
+  visit("freeze_due", s.freezing.due), visit("frozen_at", s.freezing.looked_at);
+  visit("initial_energy", s.energy.initial), visit("tool_work", s.energy.tool_work);
+  visit("initial_tool_heat", s.initial_tool_heat);
+  if (s.deck.tool) visit("shown_since", s.shown_since);
+  if (!s.model.conversion) return;
+  visit("conversion_due", s.conversion.due), visit("looked_at", s.conversion.looked_at);
+  visit("lost_in_conversion", s.energy.lost_in_conversion);
+}
+
 void Simulation::write_state(CheckpointWriter& out) const {
+  visit_state(*this, [&](const char* name, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>)
+      out.put(name, int(value));
+    else
+      out.put(name, value);
+  });
   const Particles& p = model.particles;
   const int rows = p.stored;
   out.put("active", p.count), out.put("active_tied", p.tied), out.put("listed", p.listed);
-  out.put("frozen_at", frozen_at), out.put("freeze_due", int(freeze_due));
   for_each_field(p, [&](const std::string& name, const auto& field, auto facts) {
     if (is_kept(facts.life, deck)) out.put("particles/" + name, first_rows(field, rows));
   });
@@ -104,27 +127,14 @@ void Simulation::write_state(CheckpointWriter& out) const {
     out.put("tool/temperature", model.tool.heat.temperature), out.put("tool/out", model.tool.heat.out);
   if (deck.tool) {
     out.put("tool/surface", model.tool.surface.sums);
-    out.put("shown_since", shown_since), out.put("patch_end", model.patch_end);
+    out.put("patch_end", model.patch_end);
   }
-  out.put("initial_tool_heat", initial_tool_heat);
   out.put("lists/build_position", first_rows(lists.build_position, rows));
   if (bodies_meet()) write_body_contact(out);
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
   const Real* values = reinterpret_cast<const Real*>(&load);
   out.put("tool_load", std::vector<Real>(values, values + sizeof(ToolLoad) / sizeof(Real)));
-  out.put("time", now), out.put("step_size", step_size), out.put("steps", steps);
-  out.put("reference_step", contact_law.reference_step), out.put("next_check", next_check),
-      out.put("rebuild_count", rebuild_count);
-  out.put("particle_step", particle_step), out.put("wave_step", wave_step),
-      out.put("pressure_time", pressure_time);
-  out.put("heat_step", heat_step), out.put("heat_time", heat_time);
-  out.put("shift_speed", shift_speed), out.put("way_since_shift", way_since_shift);
-  out.put("steps_at_sample", steps_at_sample), out.put("lists_due", int(lists_due));
   out.put("status", value_of(status)), out.put("hex_status", value_of(hex_status));
-  out.put("initial_energy", initial_energy), out.put("tool_work", tool_work);
-  if (!model.conversion) return;
-  out.put("conversion_due", int(conversion_due)), out.put("looked_at", looked_at);
-  out.put("lost_in_conversion", lost_in_conversion);
 }
 
 void Simulation::read_state(const CheckpointReader& in) {
@@ -145,17 +155,9 @@ void Simulation::read_state(const CheckpointReader& in) {
     in.require(all_within(model.hexes.active, model.hexes.points.count, 0, 2), "hexes/active");
     in.require(restore_conversion(deck, model, {active, tied}), "hexes/active");
     ensure_rows(loads.blocks, std::size_t(p.count / ToolLoadSums::block + 1));
-    int due = 0;
-    in.get("conversion_due", due), in.get("looked_at", looked_at);
-    in.get("lost_in_conversion", lost_in_conversion);
-    conversion_due = due != 0;
   }
   p.count = active, p.tied = tied, p.listed = listed, p.points.count = active + tied;
   in.require(listed <= p.stored, "listed");
-  in.get("frozen_at", frozen_at);
-  int due = 0;
-  in.get("freeze_due", due);
-  freeze_due = due != 0;
   // The lists are made again from the positions at which they were made, so that every sum keeps its order.
   for_each_field(p, [&](const std::string& name, auto& field, auto facts) {
     if (is_kept(facts.life, deck)) read("particles/" + name, field, p.stored);
@@ -174,9 +176,7 @@ void Simulation::read_state(const CheckpointReader& in) {
     in.require(end > 0 && std::isfinite(end), "patch_end");
     if (end != model.patch_end) make_patches(deck, model, end);
     read("tool/surface", model.tool.surface.sums, model.tool.surface.patches);
-    in.get("shown_since", shown_since);
   }
-  in.get("initial_tool_heat", initial_tool_heat);
   check_indices(in, model, deck);
   VectorField built;
   in.get("lists/build_position", built, std::uint64_t(p.stored));
@@ -198,22 +198,20 @@ void Simulation::read_state(const CheckpointReader& in) {
   ToolLoad load;
   std::copy(values.begin(), values.end(), reinterpret_cast<Real*>(&load));
   Kokkos::deep_copy(loads.total, load);
-  in.get("time", now), in.get("step_size", step_size), in.get("steps", steps);
-  in.get("next_check", next_check), in.get("rebuild_count", rebuild_count);
-  in.get("particle_step", particle_step), in.get("wave_step", wave_step),
-      in.get("pressure_time", pressure_time);
-  in.get("heat_step", heat_step), in.get("heat_time", heat_time);
-  in.get("shift_speed", shift_speed), in.get("way_since_shift", way_since_shift);
-  in.get("steps_at_sample", steps_at_sample), in.get("reference_step", contact_law.reference_step);
+  visit_state(*this, [&](const char* name, auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) {
+      int written = 0;
+      in.get(name, written);
+      value = written != 0;
+    } else {
+      in.get(name, value);
+    }
+  });
   check_numbers(in);
   first_step = steps;
-  due = 0;
-  in.get("lists_due", due);
-  lists_due = due != 0;
   unsigned long long seen = no_fault; // of steps since the last check
   in.get("status", seen), Kokkos::deep_copy(status, seen);
   in.get("hex_status", seen), Kokkos::deep_copy(hex_status, seen);
-  in.get("initial_energy", initial_energy), in.get("tool_work", tool_work);
 }
 
 // Of a run that failed the state may hold anything; what counts or divides may not.
@@ -223,12 +221,12 @@ void Simulation::check_numbers(const CheckpointReader& in) const {
   in.require(steps >= 0, "steps"), in.require(rebuild_count >= 0, "rebuild_count");
   in.require(next_check >= steps && next_check <= steps + most_unseen_steps, "next_check");
   in.require(steps_at_sample >= 0 && steps_at_sample <= steps, "steps_at_sample");
-  in.require(is_time(particle_step), "particle_step"), in.require(is_time(wave_step), "wave_step"),
-      in.require(is_time(pressure_time), "pressure_time");
+  in.require(is_time(particle_step), "particle_step"), in.require(is_time(wave_step), "wave_step");
+  in.require(is_time(pressure_pace.waited), "pressure_time");
   in.require(is_time(shown_since) && shown_since <= now, "shown_since");
   in.require(std::isfinite(initial_tool_heat), "initial_tool_heat");
-  in.require(is_time(heat_time), "heat_time"), in.require(heat_step >= 0, "heat_step");
-  in.require(!conducts || heat_time <= 1e6 * heat_step, "heat_step");
+  in.require(is_time(heat_pace.waited), "heat_time"), in.require(heat_step >= 0, "heat_step");
+  in.require(!conducts || heat_pace.waited <= 1e6 * heat_step, "heat_step");
   in.require(double(contact_law.reference_step) >= 0, "reference_step");
 }
 

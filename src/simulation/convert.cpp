@@ -35,7 +35,7 @@ double Simulation::step_of_new_particles() const {
 
 void Simulation::convert() {
   if (!model.conversion) return;
-  conversion_due = false, looked_at = now;
+  conversion.looked(now);
   const auto is_chosen = host_copy(choose_hexes(model.hexes, model.conversion->limits, pose()));
   std::vector<int> chosen;
   for (int e = 0; e < model.hexes.points.count; ++e)
@@ -45,20 +45,19 @@ void Simulation::convert() {
   const double before = energy_in_contact();
   take_contact_heat(); // while its nodes have a capacity
   convert_hexes(deck, model, chosen);
-  others_frozen = true;
-  lost_in_conversion += before - energy_in_contact();
+  energy.others_frozen = true;
+  energy.lost_in_conversion += before - energy_in_contact();
   ensure_rows(loads.blocks, std::size_t(model.particles.count / ToolLoadSums::block + 1));
   lists_due = true;
   next_check = std::min(next_check, steps + 1); // particles may ask for a shorter step
   timer.mark("conversion");
 }
 
-// A plastic strain may come at any time, the tool only as fast as it moves.
 void Simulation::plan_conversion() {
   if (!model.conversion) return;
   const bool strains = std::any_of(deck.bodies.begin(), deck.bodies.end(),
                                    [](const BodyDeck& b) { return b.convert_strain.has_value(); });
-  conversion_due = strains || driving_speed * (now - looked_at) >= model.conversion->travel;
+  conversion.plan(now, strains, driving_speed, model.conversion->travel);
 }
 
 } // namespace swarf

@@ -33,7 +33,7 @@ void Simulation::check_status() {
 // An instability need not end in a number that is none: points may fly off and what is left go on. A strain
 // of 1e-4 everywhere is the least that counts, or the first touch of a tool would.
 void Simulation::check_energy(const HistorySample& s) const {
-  const double given = initial_energy + std::abs(s.external);
+  const double given = energy.initial + std::abs(s.external);
   if (s.residual <= given || s.residual <= 1e-8 * elastic_scale) return;
   fail(fmt::format("it has made {:.3g} J of energy and was given {:.3g} J; fastest, {:.3g} m/s: {}",
                    s.residual, given, s.max_velocity, place_of_fastest()));

@@ -2,6 +2,7 @@
 #include "src/simulation/simulation.hpp"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swarf {
 namespace {
@@ -75,7 +76,7 @@ Freeze Simulation::freeze_of() const {
 void Simulation::retire() {
   Retire r;
   r.distance = Real(*deck.retire.distance), r.reach = Real(model.spacing);
-  r.elapsed = Real(now - frozen_at), r.first_position = first_position;
+  r.elapsed = Real(now - freezing.looked_at), r.first_position = first_position;
   const ToolAt tool{model.tool, pose()};
   const VectorField work = with_images(find_work(model.particles, model.hexes, tool, r), image_maps(model));
   retire_particles(model.particles, work, tool, r);
@@ -94,7 +95,7 @@ void Simulation::freeze() {
   freeze_particles(model.particles, model.tie, region, freeze_limits);
   find_held_rows(model.held_rows, model.particles);
   freeze_hexes(model.hexes, model.node_transforms, region, freeze_limits);
-  freeze_due = false, others_frozen = true, frozen_at = now;
+  freezing.looked(now), energy.others_frozen = true;
   next_check = std::min(next_check, steps + 1); // what thaws may ask for a shorter step
   timer.mark("freeze");
 }
@@ -106,13 +107,13 @@ void Simulation::freeze() {
 void Simulation::plan_freeze(double speed) {
   if (!deck.sleep.distance) return;
   const Freeze s = freeze_of();
-  const double elapsed = now - frozen_at + step_size * double(next_check - steps); // at the next check
   const bool has_tool = model.tool.facets > 0;
-  const bool tool_came = has_tool && driving_speed * elapsed >= 0.25 * double(s.near);
   double way = has_tool ? 0.25 * double(s.distance) : double(s.cell);
   if (model.spacing > 0 && (deck.retire.distance || !has_tool)) way = std::min(way, model.spacing);
-  freeze_due = tool_came || speed * elapsed >= way;
-  lists_due = lists_due || (freeze_due && model.particles.stored > 0);
+  const double tool_way = has_tool ? 0.25 * double(s.near) : std::numeric_limits<double>::infinity();
+  freezing.plan(now - freezing.looked_at + step_size * double(next_check - steps), {driving_speed, speed},
+                {tool_way, way});
+  lists_due = lists_due || (freezing.due && model.particles.stored > 0);
 }
 
 void Simulation::fade_waves() {

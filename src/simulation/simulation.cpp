@@ -50,9 +50,9 @@ void Simulation::step() {
   move();
   timer.mark("integrate");
   if (shift_is_due()) shift();
-  if (conversion_due || freeze_due) take_contact_heat(), take_surface_sums();
-  if (conversion_due) convert();
-  if (freeze_due) freeze();
+  if (conversion.due || freezing.due) take_contact_heat(), take_surface_sums();
+  if (conversion.due) convert();
+  if (freezing.due) freeze();
   if (lists_due) rebuild_lists();
   if (meeting_due) follow_bodies();
   if (mode_is_due()) find_highest_mode(1);
@@ -129,7 +129,7 @@ void Simulation::update_rates_and_stresses() {
   hex_velocity_gradient(model.hexes, hex_status);
   timer.mark("hexes");
   update_stress(model.particles.points, model.materials, dt, status);
-  if (deck.particles.density == "summation") sum_density(model.particles, lists, model.materials);
+  if (deck.particles.density == DensityRule::summation) sum_density(model.particles, lists, model.materials);
   update_stress(model.hexes.points, model.materials, dt, hex_status, model.hexes.active);
   delete_hexes(model.hexes, hex_method);
   timer.mark("stress");
@@ -138,13 +138,12 @@ void Simulation::update_rates_and_stresses() {
 // As rarely as stable and smooth: sum_j of the weights is 6 delta c / h, of which a call takes 0.2.
 void Simulation::smooth_pressure() {
   if (model.particles.count == 0) return;
-  pressure_time += step_size;
+  pressure_pace.add(step_size);
   const double delta = deck.particles.pressure_diffusion;
-  if (6 * delta * (pressure_time + step_size) <= 0.2 * particle_step) return;
-  diffuse_pressure(
-      model.particles, lists, model.ghost_planes, model.materials,
-      {Real(delta), Real(pressure_time), Real(step_size), deck.particles.density != "summation"});
-  pressure_time = 0;
+  if (6 * delta * pressure_pace.by_next(step_size) <= 0.2 * particle_step) return;
+  diffuse_pressure(model.particles, lists, model.ghost_planes, model.materials,
+                   {Real(delta), Real(pressure_pace.take()), Real(step_size),
+                    deck.particles.density != DensityRule::summation});
   timer.mark("pressure");
 }
 
@@ -153,7 +152,7 @@ void Simulation::compute_forces() {
   if (deck.particles.hourglass_stiffness > 0 && !particle_method.initial_frame)
     evolve_hourglass(model.particles, model.materials, dt);
   if (has_surfaces()) surface_stress(model.particles, lists, model.ghost_planes);
-  if (deck.particles.smoothing_length == "evolving") evolve_smoothing_length(model.particles);
+  if (deck.particles.smoothing_length == SmoothingLength::evolving) evolve_smoothing_length(model.particles);
   prepare_pair_state(model.particles, model.materials, particle_method);
   update_ghost_state(model.particles, lists, model.ghost_planes);
   timer.mark("tie and ghosts");
@@ -203,9 +202,10 @@ void Simulation::take_surface_sums() {
 // As rarely as its own stable step allows: many mechanical steps, or several in one under a large mass
 // factor. The tool's cells are few, and take steps of their own.
 void Simulation::conduct() {
-  heat_time += step_size;
-  if (heat_time + step_size <= heat_step) return;
+  heat_pace.add(step_size);
+  if (heat_pace.by_next(step_size) <= heat_step) return;
   take_contact_heat();
+  const double heat_time = heat_pace.take();
   const int parts = int(std::ceil(heat_time / heat_step));
   const Real dt = Real(heat_time / parts);
   for (int k = 0; k < parts; ++k) {
@@ -220,7 +220,6 @@ void Simulation::conduct() {
   }
   const int tool_parts = int(std::ceil(heat_time / tool_heat_step)); // 0 of a tool that does not conduct
   for (int k = 0; k < tool_parts; ++k) conduct_tool(model.tool.heat, Real(heat_time / tool_parts));
-  heat_time = 0;
   timer.mark("heat");
 }
 

@@ -4,6 +4,7 @@
 #include "src/output/frame.hpp"
 #include "src/output/history.hpp"
 #include "src/scene/scene.hpp"
+#include "src/simulation/parts.hpp"
 #include "src/simulation/phase_timer.hpp"
 #include "src/tool/geometry.hpp"
 #include "swarf/kernels.hpp"
@@ -35,9 +36,9 @@ class Simulation {
   void check();
   long steps_to_check() const { return next_check - steps; }
   static constexpr long most_unseen_steps = 100; // a fault is seen no later, however rare the samples
-  // Energies and extremes of the last check(), mean tool force since the last sample. Throws SimulationFault
-  // where the run has made more energy than it was ever given.
-  HistorySample sample();
+  // Energies and extremes of the last check(), mean tool force since the last sample. Takes it: the mean
+  // begins anew. Throws SimulationFault where the run has made more energy than it was ever given.
+  HistorySample take_sample();
   // What the tool's surface has felt since the last call; at first since the start. Not const: it begins
   // anew.
   ToolFields take_tool_fields();
@@ -52,7 +53,7 @@ class Simulation {
   // holds.
   int leaked_particles() const;
   int leaked_nodes() const;
-  double initial_kinetic() const { return initial_energy; } // J
+  double initial_kinetic() const { return energy.initial; } // J
   double driven_kinetic() const { return driven_energy; }   // J, if all moved as fast as what drives it
   double heat_dt() const { return heat_step; }              // s, stable step of conduction; 0 without
   double particle_steps() const {
@@ -109,6 +110,10 @@ class Simulation {
   void check_status();                               // throws SimulationFault
   void check_energy(const HistorySample&) const;     // throws SimulationFault
   void check_numbers(const CheckpointReader&) const; // throws ResultsError
+  // Every number that the next step depends on, with its name in a checkpoint: written and read by the same
+  // list.
+  template <class Self, class Visit>
+  static void visit_state(Self&, const Visit&);
   [[noreturn]] void fail(Fault fault, const std::string& where) const;
   [[noreturn]] void fail(const std::string& what) const;
   std::string place_of_particle(unsigned row) const; // "particle 12 (row 3) at (x, y, z) m"
@@ -128,30 +133,25 @@ class Simulation {
 
   double particle_step = 0; // s: stable step of the particles
   double wave_step = 0;     // s: 2 over the highest frequency of the particles' waves
-  double pressure_time = 0; // s since the last diffuse_pressure
   bool conducts = false;
-  double heat_step = 0, heat_time = 0; // s: stable step of conduction; time since the last one
-  double tool_heat_step = 0;           // s: of conduction in the tool
-  double initial_heat = 0;             // J, of the work above the temperature that heats are counted from
-  double initial_tool_heat = 0;        // J, the same of the tool
-  double shown_since = 0;              // s, what the surface of the tool has felt
+  double heat_step = 0; // s: stable step of conduction
+  Pace heat_pace, pressure_pace;
+  FreezePlan freezing;
+  ConversionPlan conversion;
+  EnergyLedger energy;
+  double tool_heat_step = 0;    // s: of conduction in the tool
+  double initial_heat = 0;      // J, of the work above the temperature that heats are counted from
+  double initial_tool_heat = 0; // J, the same of the tool
+  double shown_since = 0;       // s, what the surface of the tool has felt
   double now = 0, step_size = 0, mass_factor = 1;
   long steps = 0, first_step = 0, next_check = 0, rebuild_count = 0;
   long steps_at_sample = 0;
-  PointSums of_particles, of_hexes; // at the last check()
-  PointSums of_frozen;              // of the particles: does not change until others freeze
-  bool others_frozen = true;
-  bool lists_due = false, freeze_due = false, meeting_due = false;
-  double frozen_at = 0;                        // s
+  bool lists_due = false, meeting_due = false;
   VectorField first_position;                  // of each particle's identity; 0 rows where nothing retires
   double shift_speed = 0, way_since_shift = 0; // m/s, of the tool, faces or bodies; m
-  bool conversion_due = false;
-  double looked_at = 0;          // s, for hexes to convert
-  double lost_in_conversion = 0; // J, of motion that particles do not have, and of the contact's springs
   double moved_particles = 0;
-  double initial_energy = 0, driving_speed = 0, slowest_drive = 0; // m/s
-  double elastic_scale = 0, driven_energy = 0;                     // J
-  double tool_work = 0;
+  double driving_speed = 0, slowest_drive = 0; // m/s
+  double elastic_scale = 0, driven_energy = 0; // J
   std::string step_limiter;
   int limiting_row = -1; // a hex's after all particles'
 };

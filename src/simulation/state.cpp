@@ -22,13 +22,14 @@ ParticleMethod particle_method_of(const Deck& deck) {
   m.hourglass_stiffness = Real(deck.particles.hourglass_stiffness);
   m.spacing_ratio = Real(1 / deck.particles.smoothing_ratio);
   m.mass_factor = Real(deck.run.mass_factor);
-  m.initial_frame = deck.particles.kernel_frame == "initial";
+  m.initial_frame = deck.particles.kernel_frame == KernelFrame::initial;
   return m;
 }
 
 HexMethod hex_method_of(const Deck& deck) {
   HexMethod m;
-  m.hourglass = deck.hexes.hourglass == "viscous" ? HourglassControl::viscous : HourglassControl::stiffness;
+  m.hourglass = deck.hexes.hourglass == HourglassMethod::viscous ? HourglassControl::viscous
+                                                                 : HourglassControl::stiffness;
   m.hourglass_coefficient = Real(deck.hexes.hourglass_coefficient);
   m.viscosity_linear = Real(deck.hexes.viscosity_linear);
   m.viscosity_quadratic = Real(deck.hexes.viscosity_quadratic);
@@ -117,7 +118,7 @@ void release_freed_memory() {
 void Simulation::start() {
   timer.restart();
   convert();
-  lost_in_conversion = 0; // the run begins with what it has now
+  energy.lost_in_conversion = 0; // the run begins with what it has now
   rebuild_lists();
   if (meeting_due) follow_bodies();
   find_highest_mode(first_iterations);
@@ -132,9 +133,7 @@ void Simulation::start() {
   if (deck.sleep.distance) freeze_at_start();
   steps = steps_at_sample = 0;
   check();
-  // Less what was given up by points that were frozen at once.
-  initial_energy =
-      double(of_particles.kinetic) + of_hexes.kinetic - of_particles.external - of_hexes.external;
+  energy.begin();
 }
 
 // What is frozen shows its neighbours what the forces have just prepared.
@@ -177,13 +176,13 @@ void Simulation::check() {
   const double room = 0.5 * (double(lists.skin) - double(limit.approach)); // of each of a pair
   if (lists_age && room < 0) fail(Fault::skin_exceeded, "");
   const int active = model.particles.count + model.particles.tied;
-  if (others_frozen)
-    of_frozen = sum_particles(model.particles, Real(mass_factor), active, model.particles.stored);
-  others_frozen = false;
-  of_particles = sum_particles(model.particles, Real(mass_factor), 0, active);
-  of_particles.add(of_frozen);
-  of_hexes = sum_hexes(model.hexes, Real(mass_factor));
-  const double speed = double(std::max(of_particles.max_speed, of_hexes.max_speed));
+  if (energy.others_frozen)
+    energy.frozen = sum_particles(model.particles, Real(mass_factor), active, model.particles.stored);
+  energy.others_frozen = false;
+  energy.particles = sum_particles(model.particles, Real(mass_factor), 0, active);
+  energy.particles.add(energy.frozen);
+  energy.hexes = sum_hexes(model.hexes, Real(mass_factor));
+  const double speed = double(std::max(energy.particles.max_speed, energy.hexes.max_speed));
   if (driving_speed == 0 && fastest_body(deck) == 0) shift_speed = speed;
   const double whole = 0.5 * double(lists.skin);
   // A free flight may be faster than the waves: no step may use up the skin.
@@ -201,24 +200,13 @@ void Simulation::check() {
   timer.mark("checks");
 }
 
-HistorySample Simulation::sample() {
+HistorySample Simulation::take_sample() {
   timer.restart();
-  const PointSums &a = of_particles, &b = of_hexes;
   HistorySample s;
   s.time = now, s.immersion = immersion_deg(), s.step = double(steps), s.dt = step_size;
-  s.kinetic = double(a.kinetic) + b.kinetic;
-  s.plastic = double(a.plastic) + b.plastic;
-  s.elastic = double(a.internal) + b.internal - s.plastic;
-  s.frictional = double(a.friction) + b.friction;
-  s.viscous = double(a.viscous) + b.viscous;
-  s.hourglass = double(a.hourglass) + b.hourglass;
-  s.contact = double(a.contact) + b.contact;
-  s.tie = lost_in_conversion, s.shifting = double(a.shifting);
   const ToolLoad load = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, loads.total)();
-  tool_work += load.work;
-  s.external = double(a.external) + b.external + tool_work;
-  s.residual = s.kinetic + s.elastic + s.plastic + s.frictional + s.viscous + s.hourglass + s.contact +
-               s.tie + s.shifting - initial_energy - s.external;
+  energy.take_tool_work(load.work);
+  energy.fill(s);
   const double taken = std::max(1.0, double(steps - steps_at_sample));
   const double scale = deck.output.force_scale / taken;
   s.force = {scale * load.force.x, scale * load.force.y, scale * load.force.z};
@@ -228,6 +216,7 @@ HistorySample Simulation::sample() {
                         scale * load.tooth_force[k].z};
   s.particles_in_contact = load.contacts / taken;
   book_heat(s);
+  const PointSums &a = energy.particles, &b = energy.hexes;
   s.max_temperature = double(std::max(a.max_temperature, b.max_temperature));
   s.max_plastic_strain = double(std::max(a.max_plastic_strain, b.max_plastic_strain));
   s.max_velocity = double(std::max(a.max_speed, b.max_speed));

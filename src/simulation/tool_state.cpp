@@ -15,7 +15,7 @@ constexpr double most_idle_steps = 1e8;
 // What two runs must have in common for the temperatures to mean the same.
 std::string identity_of(const Deck& deck, const Scene& scene) {
   const MaterialDeck& m = *find_material(deck, deck.tool->material);
-  return fmt::format("{}\ndensity = {}\nspecific_heat = {}\nconductivity = {}\n", facets_text(scene),
+  return fmt::format("facets = {}\ndensity = {}\nspecific_heat = {}\nconductivity = {}\n", facets_text(scene),
                      m.density, m.specific_heat.value, m.conductivity.value);
 }
 

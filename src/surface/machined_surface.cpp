@@ -7,14 +7,14 @@
 namespace swarf {
 
 MachinedSurface::MachinedSurface(const Deck& deck) {
-  if (!deck.tool || (deck.tool->kind != "wedge" && deck.tool->kind != "end_mill"))
+  if (!deck.tool || (deck.tool->kind != ToolKind::wedge && deck.tool->kind != ToolKind::end_mill))
     throw ResultsError(deck.file +
                        ": only a wedge and an end mill leave a surface that swarf surface knows; this "
                        "run had " +
-                       (deck.tool ? "a tool of kind " + deck.tool->kind : "no tool"));
+                       (deck.tool ? "a tool of kind " + word_of(deck.tool->kind) : "no tool"));
   tool = *deck.tool;
-  if (tool.kind == "end_mill") {
-    if (deck.bodies.front().shape != "ring")
+  if (tool.kind == ToolKind::end_mill) {
+    if (deck.bodies.front().shape != BodyShape::ring)
       throw ResultsError(deck.file +
                          ": of an end mill swarf surface looks at rings, about whose axis it turns");
     mill = MillMotion{tool, deck.bodies.front().origin};

@@ -266,7 +266,7 @@ Tool build_tool(const FacetSurface& surface, const ToolDeck& deck, double reach)
   upload_grid(tool, grid, candidates, find_deep_cells(grid, candidates, normals), normals);
   upload_facets(tool, surface, normals);
   tool.teeth = std::max(1, deck.flutes);
-  if (deck.kind == "end_mill") tool.twist = Real(std::tan(deck.helix) / (deck.diameter / 2));
+  if (deck.kind == ToolKind::end_mill) tool.twist = Real(std::tan(deck.helix) / (deck.diameter / 2));
   return tool;
 }
 

@@ -31,19 +31,19 @@ void check_proportions(const ToolDeck& tool, const FacetSurface& s) {
   if (longest == 0) return;
   const std::string sizes =
       fmt::format("facets of {:.3g} m by {:.3g} m, too narrow to have a direction", longest, narrow);
-  const std::string other = tool.kind == "wedge" ? "width and height" : "length";
+  const std::string other = tool.kind == ToolKind::wedge ? "width and height" : "length";
   if (tool.edge_radius > 0 && narrow < tool.edge_radius)
     throw DeckError(
         fmt::format("tool.edge_radius: {:.3g} m makes {}. Take at least {:.3g} m, or \"0 m\" for a sharp "
                     "edge, or a smaller {}",
                     tool.edge_radius, sizes, tool.edge_radius * 2e-6 * longest / narrow, other));
-  const bool is_low = tool.kind == "wedge" && tool.height < tool.width;
+  const bool is_low = tool.kind == ToolKind::wedge && tool.height < tool.width;
   throw DeckError(
       fmt::format("tool.{}: makes {}. Look at the units: its sizes differ more than a millionfold",
-                  tool.kind == "end_mill" ? "length"
-                  : tool.kind == "wall"   ? "size"
-                  : is_low                ? "height"
-                                          : "width",
+                  tool.kind == ToolKind::end_mill ? "length"
+                  : tool.kind == ToolKind::wall   ? "size"
+                  : is_low                        ? "height"
+                                                  : "width",
                   sizes));
 }
 
@@ -61,20 +61,18 @@ Triple velocity_with_feed(const ToolDeck& tool) {
 
 FacetSurface make_tool_surface(const ToolDeck& tool, const std::string& folder) {
   FacetSurface surface;
-  std::string name = "tool (" + tool.kind + ")";
-  if (tool.kind == "end_mill") {
+  std::string name = "tool (" + word_of(tool.kind) + ")";
+  if (tool.kind == ToolKind::end_mill) {
     surface = make_end_mill(tool);
-  } else if (tool.kind == "wedge") {
+  } else if (tool.kind == ToolKind::wedge) {
     surface = make_wedge(tool);
-  } else if (tool.kind == "wall") {
+  } else if (tool.kind == ToolKind::wall) {
     surface = make_wall(tool);
-  } else if (tool.kind == "stl") {
+  } else {
     name = (std::filesystem::path(folder) / tool.file).string();
     surface = read_stl(name, tool.file_scale);
-  } else {
-    throw DeckError("tool.kind: \"" + tool.kind + "\" is not one of end_mill, wedge, wall, stl");
   }
-  if (tool.kind != "stl") check_proportions(tool, surface);
+  if (tool.kind != ToolKind::stl) check_proportions(tool, surface);
   check_surface(surface, name);
   return surface;
 }

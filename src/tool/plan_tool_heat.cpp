@@ -49,13 +49,13 @@ std::optional<std::array<double, 2>> find_slice(const Deck& deck) {
   const auto goes_on = [](const BodyDeck& body, const std::string& name, const std::string& name_of_ring) {
     return std::any_of(body.faces.begin(), body.faces.end(), [&](const FaceDeck& face) {
       return (face.face == name || face.face == name_of_ring) &&
-             (face.kind == "periodic" || face.kind == "symmetric");
+             (face.kind == FaceKind::periodic || face.kind == FaceKind::symmetric);
     });
   };
   for (const BodyDeck& body : deck.bodies)
     if (goes_on(body, "z_min", "bottom") && goes_on(body, "z_max", "top")) {
       const double low = body.origin[2] - deck.tool->position[2];
-      return {{low, low + (body.shape == "block" ? body.size[2] : body.height)}};
+      return {{low, low + (body.shape == BodyShape::block ? body.size[2] : body.height)}};
     }
   return std::nullopt;
 }

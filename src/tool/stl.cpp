@@ -72,9 +72,9 @@ FacetSurface read_binary(const std::string& bytes, std::size_t count, const std:
 }
 
 // The words of an ASCII file, in lower case, with the line that each stands in. Lines may end as they like.
-class Words {
+class TextWords {
  public:
-  Words(const std::string& bytes, const std::string& name) : text(bytes), file(name) {}
+  TextWords(const std::string& bytes, const std::string& name) : text(bytes), file(name) {}
 
   std::string next() { // "" at the end
     while (at < text.size() && is_blank(text[at])) step();
@@ -128,7 +128,7 @@ class Words {
 // last facet. A file that is cut short is found by the facet that it cuts, or by the hole that it leaves.
 FacetSurface read_ascii(const std::string& bytes, const std::string& file, double scale) {
   Builder builder(scale);
-  Words words(bytes, file);
+  TextWords words(bytes, file);
   int corners = 0;
   bool in_facet = false;
   for (std::string word = words.next(); !word.empty(); word = words.next()) {

@@ -41,7 +41,7 @@ class Cutter {
       if (!grid || cell_angle(whole, body) > cell_angle(whole, *grid)) grid = &body;
       if (body.previous_tooth || !bore) bore = &body;
       top = std::max(top, body.origin[2] + body.height);
-      if (body.fill == "particles" || margin == 0) margin = std::max(margin, cell_angle(whole, body));
+      if (body.fill == Fill::particles || margin == 0) margin = std::max(margin, cell_angle(whole, body));
     }
     motion = {tool, bore->origin};
     check_teeth();
@@ -76,11 +76,11 @@ class Cutter {
 };
 
 void Cutter::check_tool() const {
-  if (!whole.tool || whole.tool->kind != "end_mill")
+  if (!whole.tool || whole.tool->kind != ToolKind::end_mill)
     refuse(
         whole, windows, "",
         fmt::format("spread over the immersion of an end mill, and this deck has {}. Run it without windows",
-                    whole.tool ? "a tool of kind \"" + whole.tool->kind + "\"" : "no tool"));
+                    whole.tool ? "a tool of kind \"" + word_of(whole.tool->kind) + "\"" : "no tool"));
   if (whole.tool->lift_time || !whole.tool->temperature_from.empty())
     refuse(
         whole, windows, "",
@@ -93,16 +93,16 @@ void Cutter::check_tool() const {
 void Cutter::check_rings() const {
   const Triple& axis = whole.bodies.front().origin;
   for (const BodyDeck& body : whole.bodies) {
-    if (body.shape != "ring")
-      reject(
-          whole, body, "shape",
-          fmt::format("is a {}: windows are cut from rings only. Run this deck without windows", body.shape));
+    if (body.shape != BodyShape::ring)
+      reject(whole, body, "shape",
+             fmt::format("is a {}: windows are cut from rings only. Run this deck without windows",
+                         word_of(body.shape)));
     if (std::hypot(body.origin[0] - axis[0], body.origin[1] - axis[1]) > 1e-9 * body.outer_radius)
       reject(whole, body, "origin",
              fmt::format("has another axis than \"{}\": windows are cut from rings of one axis. Move it",
                          whole.bodies.front().name));
     for (const FaceDeck& face : body.faces)
-      if ((face.face == "start" || face.face == "end") && face.kind == "periodic")
+      if ((face.face == "start" || face.face == "end") && face.kind == FaceKind::periodic)
         reject(whole, body, "faces." + face.face,
                "is periodic around the ring, which a window cuts open. Run this deck without windows");
   }
@@ -176,11 +176,11 @@ void Cutter::cut_ring(BodyDeck& ring, double low, double high) const {
   const double turns = turns_of(ring, 0.5 * (low + high)), little = grain * cell_angle(whole, uncut);
   const auto replace_face = [&](const std::string& name, bool fixed) {
     std::erase_if(ring.faces, [&](const FaceDeck& face) { return face.face == name; });
-    if (fixed) ring.faces.push_back({name, "fixed", {}});
+    if (fixed) ring.faces.push_back({name, FaceKind::fixed});
   };
   if (is_closed(uncut) || low + turns > uncut.start_angle + little) {
     ring.start_angle = low + turns;
-    replace_face("start", ring.fill == "hexes"); // the ring goes on
+    replace_face("start", ring.fill == Fill::hexes); // the ring goes on
   }
   if (is_closed(uncut) || high + turns < uncut.end_angle - little) {
     ring.end_angle = high + turns;
@@ -242,14 +242,6 @@ std::vector<Window> cut_windows(const Deck& whole, const WindowsDeck& windows) {
   std::vector<Window> all;
   for (int k = 0; k < int(count); ++k) all.push_back(cutter.cut(windows.first + k * windows.step));
   return all;
-}
-
-WindowsDeck default_windows() {
-  WindowsDeck windows;
-  for (const auto& key : windows_keys())
-    if (const std::string error = fill_default(key, windows); !error.empty())
-      throw std::logic_error("default of windows." + key.name + ": " + error);
-  return windows;
 }
 
 WindowsDeck read_windows_option(const std::string& text, WindowsDeck windows) {

@@ -19,9 +19,6 @@ struct Window {
 // for.
 std::vector<Window> cut_windows(const Deck& whole, const WindowsDeck& windows);
 
-// [windows] of a deck that has none.
-WindowsDeck default_windows();
-
 // "10:170:20", first:last:step in degrees, in place of those of `windows`. Throws DeckError.
 WindowsDeck read_windows_option(const std::string& text, WindowsDeck windows);
 

@@ -1,9 +1,7 @@
 // Faults of decks: each must be refused, with a message that names file, line and key and says what to do.
-#include "tests/decks/good_deck.hpp"
+#include "tests/decks/expect_unreadable.hpp"
 #include <algorithm>
 #include <cctype>
-#include <gtest/gtest.h>
-#include <vector>
 
 using namespace swarf;
 using namespace swarf::test;
@@ -31,16 +29,6 @@ std::string find_line(const DeckFault& fault, const std::string& text) {
   std::string place(":");
   place += std::to_string(1 + std::count(text.begin(), text.begin() + long(at), '\n'));
   return place += ": ";
-}
-
-std::string read_fault(const std::string& text) {
-  TemporaryFolder folder;
-  try {
-    read_deck(folder.write("faulty.toml", text));
-  } catch (const DeckError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 const std::string bulk_cells = "cells = [20, 2, 8]", zone_height = "height = \"10 um\"\nstart_angle";
@@ -224,9 +212,9 @@ class DeckFaults : public testing::TestWithParam<DeckFault> {};
 TEST_P(DeckFaults, is_refused_with_its_message) {
   const DeckFault& wrong = GetParam();
   const std::string text = wrong.from.empty() ? wrong.to : edit_deck(wrong.from, wrong.to);
-  const std::string message = read_fault(text);
+  const std::string message = fault_of_reading(text);
   const std::string place =
-      "faulty.toml" + find_line(wrong, text) + (wrong.key.empty() ? "" : wrong.key + ": ");
+      "deck.toml" + find_line(wrong, text) + (wrong.key.empty() ? "" : wrong.key + ": ");
   EXPECT_NE(message.find(place), std::string::npos) << place << "\n" << message;
   for (const std::string& fragment : wrong.fragments)
     EXPECT_NE(message.find(fragment), std::string::npos) << fragment << "\n" << message;
@@ -249,78 +237,78 @@ const std::string wedge =
     "kind = \"wedge\"\nrake = \"15 deg\"\nclearance = \"2 deg\"\nedge_radius = \"20 um\"\n"
     "width = \"1 mm\"\nheight = \"1 mm\"\nvelocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]\n";
 
-void expect_fault(const std::string& text, const std::vector<std::string>& fragments) {
-  const std::string message = read_fault(text);
-  for (const std::string& fragment : fragments)
-    EXPECT_NE(message.find(fragment), std::string::npos) << fragment << "\n" << message;
-}
-
 } // namespace
 
-TEST(DeckFaultsOfTools, a_wedge_is_as_good_as_a_mill) { EXPECT_EQ(read_fault(with_tool(wedge)), "no error"); }
+TEST(DeckFaultsOfTools, a_wedge_is_as_good_as_a_mill) {
+  EXPECT_EQ(fault_of_reading(with_tool(wedge)), "no error");
+}
 
 TEST(DeckFaultsOfTools, stl_file_is_missing) {
-  expect_fault(with_tool("kind = \"stl\"\nfile = \"none.stl\"\n"),
-               {"faulty.toml:46: tool.file: there is no file /", "none.stl", "relative to the deck"});
+  expect_unreadable(with_tool("kind = \"stl\"\nfile = \"none.stl\"\n"),
+                    {"deck.toml:46: tool.file: there is no file /", "none.stl", "relative to the deck"});
 }
 
 TEST(DeckFaultsOfTools, stl_file_is_a_folder) {
-  expect_fault(with_tool("kind = \"stl\"\nfile = \".\"\n"), {"46: tool.file: there is no file"});
+  expect_unreadable(with_tool("kind = \"stl\"\nfile = \".\"\n"), {"46: tool.file: there is no file"});
 }
 
 TEST(DeckFaultsOfTools, immersion_without_a_spindle) {
-  expect_fault(edit_deck("end_time = \"1 ms\"", "end_immersion = \"9 deg\"", with_tool(wedge)),
-               {"55: run.end_immersion: needs a tool with a spindle_speed. Use end_time."});
-  expect_fault(with_tool(wedge) + "[output]\nframe_immersion = \"1 deg\"\n",
-               {"57: output.frame_immersion: needs a tool with a spindle_speed. Use frame_time."});
-  expect_fault(with_tool(wedge) + "[output]\npicture_immersion = [\"1 deg\"]\n",
-               {"57: output.picture_immersion: needs a tool with a spindle_speed. Use picture_time."});
+  expect_unreadable(edit_deck("end_time = \"1 ms\"", "end_immersion = \"9 deg\"", with_tool(wedge)),
+                    {"55: run.end_immersion: needs a tool with a spindle_speed. Use end_time."});
+  expect_unreadable(with_tool(wedge) + "[output]\nframe_immersion = \"1 deg\"\n",
+                    {"57: output.frame_immersion: needs a tool with a spindle_speed. Use frame_time."});
+  expect_unreadable(with_tool(wedge) + "[output]\npicture_immersion = [\"1 deg\"]\n",
+                    {"57: output.picture_immersion: needs a tool with a spindle_speed. Use picture_time."});
 }
 
 TEST(DeckFaultsOfTools, previous_tooth_without_a_mill) {
-  expect_fault(edit_deck("tie = ", "previous_tooth = true\ntie = ", with_tool(wedge)),
-               {"26: body.previous_tooth: needs a tool of kind \"end_mill\"."});
+  expect_unreadable(edit_deck("tie = ", "previous_tooth = true\ntie = ", with_tool(wedge)),
+                    {"26: body.previous_tooth: needs a tool of kind \"end_mill\"."});
 }
 
 TEST(DeckFaultsOfTools, wedge_stands_still_or_is_lower_than_its_edge) {
-  expect_fault(edit_deck("\"1 m/s\"", "\"0 m/s\"", with_tool(wedge)), {"tool.velocity: a wedge must move"});
-  expect_fault(edit_deck("height = \"1 mm\"", "height = \"10 um\"", with_tool(wedge)),
-               {"tool.height: expected more"});
+  expect_unreadable(edit_deck("\"1 m/s\"", "\"0 m/s\"", with_tool(wedge)),
+                    {"tool.velocity: a wedge must move"});
+  expect_unreadable(edit_deck("height = \"1 mm\"", "height = \"10 um\"", with_tool(wedge)),
+                    {"tool.height: expected more"});
 }
 
 TEST(DeckFaultsOfTools, mill_has_too_large_edge_or_runout) {
-  expect_fault(edit_deck("\"6 um\"", "\"500 um\""),
-               {"49: tool.edge_radius: expected less than the mill's radius"});
-  expect_fault(edit_deck("rake =", "runout = \"1 mm\"\nrake ="), {"47: tool.runout: expected less than"});
+  expect_unreadable(edit_deck("\"6 um\"", "\"500 um\""),
+                    {"49: tool.edge_radius: expected less than the mill's radius"});
+  expect_unreadable(edit_deck("rake =", "runout = \"1 mm\"\nrake ="),
+                    {"47: tool.runout: expected less than"});
 }
 
 TEST(DeckFaultsOfTools, contact_without_a_tool) {
   std::string text = with_tool("");
   text = edit_deck("[tool]\n", "", text);
-  expect_fault(text, {"44: contact: there is no [tool] to touch"});
+  expect_unreadable(text, {"44: contact: there is no [tool] to touch"});
 }
 
 TEST(DeckFaultsOfBodies, whole_ring_has_no_start) {
   std::string text = edit_deck("start_angle = \"-10 deg\"\nend_angle = \"20 deg\"\nspacing", "spacing");
   text = edit_deck("bottom = \"periodic\"", "start = \"fixed\"\nbottom = \"periodic\"", text);
-  expect_fault(text, {"26: body.faces.start: this ring has no such face. It has inner, outer, bottom, top."});
+  expect_unreadable(text,
+                    {"26: body.faces.start: this ring has no such face. It has inner, outer, bottom, top."});
 }
 
 TEST(DeckFaultsOfMethods, initial_frame_conducts_no_heat) {
   const std::string cold = "[particles]\nkernel_frame = \"initial\"\n[run]";
-  EXPECT_EQ(read_fault(edit_deck("[run]", cold)), "no error");
+  EXPECT_EQ(fault_of_reading(edit_deck("[run]", cold)), "no error");
   const std::string heated = edit_deck("n = 0.34", "n = 0.34\nconductivity = \"7 W/m/K\"");
-  expect_fault(edit_deck("[run]", cold, heated), {"particles.kernel_frame: \"initial\" conducts no heat"});
+  expect_unreadable(edit_deck("[run]", cold, heated),
+                    {"particles.kernel_frame: \"initial\" conducts no heat"});
 }
 
 TEST(DeckFaultsOfMethods, a_smoothing_length_that_follows_its_own_sum) {
   const auto with = [](const std::string& keys) {
     return edit_deck("[run]", "[particles]\nsmoothing_length = \"evolving\"\n" + keys + "[run]");
   };
-  EXPECT_EQ(read_fault(with("")), "no error");
-  expect_fault(with("density = \"summation\"\n"),
-               {"particles.smoothing_length: \"evolving\" does not go with density = \"summation\"",
-                "Use density = \"continuity\""});
+  EXPECT_EQ(fault_of_reading(with("")), "no error");
+  expect_unreadable(with("density = \"summation\"\n"),
+                    {"particles.smoothing_length: \"evolving\" does not go with density = \"summation\"",
+                     "Use density = \"continuity\""});
 }
 
 TEST(DeckFaultsOfMethods, hexes_that_become_particles) {
@@ -328,22 +316,24 @@ TEST(DeckFaultsOfMethods, hexes_that_become_particles) {
     return edit_deck("cells = [20, 2, 8]", "cells = [20, 2, 8]\n" + keys, deck);
   };
   const std::string free = edit_deck("tie = \"bulk\"\n", ""), near = "convert_distance = \"20 um\"";
-  EXPECT_EQ(read_fault(bulk(near, free)), "no error");
-  expect_fault(bulk(near), {"26: body.tie: does not go with hexes that become particles"});
-  expect_fault(bulk("convert_particles = 3", free),
-               {"body.convert_particles: nothing says when hexes become particles. Give convert_distance"});
-  expect_fault(edit_deck("spacing = \"2.5 um\"", "spacing = \"2.5 um\"\n" + near),
-               {"26: body.convert_distance: does not apply to fill = \"particles\". Remove it"});
+  EXPECT_EQ(fault_of_reading(bulk(near, free)), "no error");
+  expect_unreadable(bulk(near), {"26: body.tie: does not go with hexes that become particles"});
+  expect_unreadable(
+      bulk("convert_particles = 3", free),
+      {"body.convert_particles: nothing says when hexes become particles. Give convert_distance"});
+  expect_unreadable(edit_deck("spacing = \"2.5 um\"", "spacing = \"2.5 um\"\n" + near),
+                    {"26: body.convert_distance: does not apply to fill = \"particles\". Remove it"});
   const std::string no_tool = free.substr(0, free.find("[tool]")) + "[run]\nend_time = \"1 ms\"\n";
-  expect_fault(bulk(near, no_tool), {"body.convert_distance: there is no [tool] to come near"});
+  expect_unreadable(bulk(near, no_tool), {"body.convert_distance: there is no [tool] to come near"});
   for (const auto& [section, key] :
        {std::pair<const char*, const char*>{"particles", "kernel_frame = \"initial\""},
         {"particles", "density = \"summation\""},
         {"sleep", "distance = \"60 um\""},
         {"hexes", "delete_at_strain = 2.0"}}) {
     const std::string name(key, std::string(key).find(' '));
-    expect_fault(edit_deck("[run]", std::string("[") + section + "]\n" + key + "\n[run]", bulk(near, free)),
-                 {std::string(section) + "." + name + ": does not go with hexes that become particles"});
+    expect_unreadable(
+        edit_deck("[run]", std::string("[") + section + "]\n" + key + "\n[run]", bulk(near, free)),
+        {std::string(section) + "." + name + ": does not go with hexes that become particles"});
   }
 }
 
@@ -367,7 +357,7 @@ TEST(DeckFaultsTogether, all_faults_of_a_deck_come_at_once_in_its_order) {
   std::string text = edit_deck("\"4430 kg/m3\"", "4430");
   text = edit_deck("\"2.5 um\"", "\"-1 um\"", text);
   text = edit_deck("friction = 0.5", "friction = -1", text);
-  const std::string message = read_fault(text);
+  const std::string message = fault_of_reading(text);
   const auto density = message.find(":4: material.ti64.density"), spacing = message.find(":25: body.spacing"),
              friction = message.find(":55: contact.friction");
   ASSERT_NE(friction, std::string::npos) << message;

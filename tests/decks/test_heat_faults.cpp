@@ -52,10 +52,10 @@ TEST(DeckOfHeat, FacesWithATemperatureAreReadAndWrittenAgain) {
   const Deck deck = read_text(with_faces(faces, with(conducts)));
   const std::vector<FaceDeck>& read = deck.bodies[0].faces;
   ASSERT_EQ(read.size(), 2u);
-  EXPECT_EQ(read[0].kind, "fixed");
+  EXPECT_EQ(read[0].kind, FaceKind::fixed);
   EXPECT_EQ(*read[0].temperature, 300);
   EXPECT_FALSE(read[0].film);
-  EXPECT_EQ(read[1].kind, "free");
+  EXPECT_EQ(read[1].kind, FaceKind::free);
   EXPECT_EQ(*read[1].film, 1e4);
   EXPECT_EQ(read_text(resolved_deck(deck)).bodies[0].faces, read);
 }

@@ -68,7 +68,7 @@ TEST(SceneFaults, tied_bodies_end_differently) {
   Deck deck = deck_of({block("zone", "particles", {0, 0, 0}, {1e-3, 1e-3, 1e-3}, 1e-4),
                        block("bulk", "hexes", {0, 0, -1e-3}, {1e-3, 1e-3, 1e-3}, 2e-4)});
   deck.bodies[0].tie = "bulk";
-  deck.bodies[0].faces = {{"x_min", "periodic", {}}, {"x_max", "periodic", {}}};
+  deck.bodies[0].faces = {{"x_min", FaceKind::periodic, {}}, {"x_max", FaceKind::periodic, {}}};
   expect_fault(fault_of(deck),
                {"body.faces.x_min: \"zone\" is periodic, and face x_min of \"bulk\" in the same plane "
                 "is free"});
@@ -120,14 +120,15 @@ TEST(SceneFaults, hexes_cannot_fill_it) {
 
 TEST(SceneFaults, particles_behind_a_mirror) {
   BodyDeck first = block("a", "particles", {0, 0, 0}, {1e-3, 1e-3, 1e-3}, 1e-4);
-  first.faces = {{"x_min", "symmetric", {}}};
+  first.faces = {{"x_min", FaceKind::symmetric, {}}};
   expect_fault(fault_of(deck_of({first, block("b", "particles", {-2e-3, 0, 0}, {1e-3, 1e-3, 1e-3}, 1e-4)})),
                {"body.origin: \"b\" has particles behind a periodic or symmetric plane, at (-0.00195,"});
 }
 
 TEST(SceneFaults, periodic_sector_too_large_or_unequal) {
   BodyDeck sector = ring("r", "particles", 1e-3, 2e-3, 1e-3, {20, 4, 4});
-  sector.end_angle = 200 * degree, sector.faces = {{"start", "periodic", {}}, {"end", "periodic", {}}};
+  sector.end_angle = 200 * degree,
+  sector.faces = {{"start", FaceKind::periodic, {}}, {"end", FaceKind::periodic, {}}};
   expect_fault(fault_of(deck_of({sector})),
                {"body.faces.start: \"r\" bounds a sector of more than 180 deg: expected at most that"});
   Deck deck = deck_of({ring("h", "hexes", 400 * um, 450 * um, 50 * um, {20, 4, 4})});
@@ -151,7 +152,7 @@ TEST(SceneFaults, too_many_planes_and_holds) {
   Deck deck = empty_deck();
   for (int n = 0; n < 5; ++n) { // nested mirrors, each 1 mm farther out
     BodyDeck b = block("b", "particles", {0, 3e-3 * n, 0}, {1e-3, 1e-3, 1e-3}, 1e-4);
-    b.origin[0] = 1e-3 * n, b.faces = {{"x_min", "symmetric", {}}};
+    b.origin[0] = 1e-3 * n, b.faces = {{"x_min", FaceKind::symmetric, {}}};
     deck.bodies.push_back(b);
   }
   std::swap(deck.bodies[0], deck.bodies[4]);
@@ -159,7 +160,7 @@ TEST(SceneFaults, too_many_planes_and_holds) {
   deck = empty_deck();
   for (int n = 0; n < 33; ++n) {
     deck.bodies.push_back(block("b", "hexes", {0, 3e-3 * n, 0}, {1e-3, 1e-3, 1e-3}, 1e-3));
-    deck.bodies.back().faces = {{"x_min", "velocity", {double(n), 0, 0}}};
+    deck.bodies.back().faces = {{"x_min", FaceKind::velocity, {double(n), 0, 0}}};
   }
   expect_fault(fault_of(deck), {"body.faces.x_min: \"b\" is the 29th different hold: expected at most 28"});
 }

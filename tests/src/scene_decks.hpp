@@ -10,8 +10,8 @@ inline constexpr double um = 1e-6;
 inline constexpr double degree = pi / 180;
 
 inline MaterialDeck titanium() {
-  MaterialDeck m{};
-  m.name = "Ti", m.law = "elastic";
+  MaterialDeck m(Law::elastic);
+  m.name = "Ti";
   m.density = 4430, m.youngs_modulus = 110e9, m.poissons_ratio = 0.33, m.specific_heat = 526.3;
   return m;
 }
@@ -20,14 +20,12 @@ inline Deck empty_deck() {
   Deck deck;
   deck.file = "test.toml";
   deck.materials = {titanium()};
-  deck.particles.density = "continuity", deck.particles.smoothing_length = "fixed";
-  deck.hexes.hourglass = "stiffness";
   return deck;
 }
 
 inline BodyDeck body(const std::string& name, const std::string& shape, const std::string& fill) {
-  BodyDeck b;
-  b.name = name, b.shape = shape, b.fill = fill, b.material = "Ti", b.temperature = 298, b.line = 7;
+  BodyDeck b(value_of_word<BodyShape>(shape), value_of_word<Fill>(fill));
+  b.name = name, b.material = "Ti", b.temperature = 298, b.line = 7;
   b.end_angle = 2 * pi;
   return b;
 }
@@ -48,8 +46,7 @@ inline BodyDeck ring(const std::string& name, const std::string& fill, double in
 
 // The end mill of Demiral & Mamedov (2022); rake, clearance and core are assumed.
 inline ToolDeck paper_mill() {
-  ToolDeck t;
-  t.kind = "end_mill";
+  ToolDeck t(ToolKind::end_mill);
   t.diameter = 800 * um, t.helix = 25.2 * degree, t.edge_radius = 6 * um, t.length = 150 * um;
   t.clearance = 10 * degree, t.core_ratio = 0.6, t.flutes = 2;
   t.spindle_speed = 10000 * 2 * pi / 60, t.feed_per_tooth = 10 * um;

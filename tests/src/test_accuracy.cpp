@@ -50,11 +50,12 @@ Deck wedge_deck() {
   Deck deck = empty_deck();
   deck.bodies = {block("zone", "particles", {0, -40 * um, 0}, {320 * um, 80 * um, 20 * um}, 5 * um),
                  block("bulk", "hexes", {0, -200 * um, 0}, {320 * um, 160 * um, 20 * um}, 10 * um)};
-  for (BodyDeck& b : deck.bodies) b.faces = {{"z_min", "periodic", {}}, {"z_max", "periodic", {}}};
-  deck.bodies[1].faces.push_back({"y_min", "fixed", {}});
+  for (BodyDeck& b : deck.bodies)
+    b.faces = {{"z_min", FaceKind::periodic, {}}, {"z_max", FaceKind::periodic, {}}};
+  deck.bodies[1].faces.push_back({"y_min", FaceKind::fixed, {}});
   deck.bodies[0].tie = "bulk";
   deck.tool.emplace();
-  deck.tool->kind = "wedge", deck.tool->edge_radius = 20 * um, deck.tool->rake = 15 * degree;
+  deck.tool->kind = ToolKind::wedge, deck.tool->edge_radius = 20 * um, deck.tool->rake = 15 * degree;
   deck.tool->clearance = 2 * degree, deck.tool->width = 60 * um, deck.tool->height = 300 * um;
   deck.tool->position = {-25 * um, 0, 10 * um}, deck.tool->velocity = {0.5, 0, 0};
   deck.run.end_time = 0.2e-3, deck.run.courant = 0.3, deck.run.mass_factor = 100;
@@ -103,7 +104,7 @@ TEST(Accuracy, puts_the_settings_into_the_deck) {
   const auto charts = some_charts();
   Deck deck = wedge_deck();
   deck.run.accuracy = 4;
-  deck.particles.smoothing_length = "evolving", deck.particles.skin = 0.2;
+  deck.particles.smoothing_length = SmoothingLength::evolving, deck.particles.skin = 0.2;
   const Deck with = planned_deck(deck, plan_accuracy(deck, charts));
   const BodyDeck &zone = with.bodies[0], &bulk = with.bodies[1];
   EXPECT_DOUBLE_EQ(*zone.spacing, 2.5 * um); // 40 um / 16
@@ -120,8 +121,8 @@ TEST(Accuracy, puts_the_settings_into_the_deck) {
   EXPECT_EQ(with.run.courant, 0.5);
   EXPECT_FALSE(with.sleep.distance);
   EXPECT_EQ(with.particles.viscosity_linear, 0.2);
-  EXPECT_EQ(with.particles.smoothing_length, "fixed"); // the chart's
-  EXPECT_EQ(with.particles.skin, 0.2);                 // the deck's
+  EXPECT_EQ(with.particles.smoothing_length, SmoothingLength::fixed); // the chart's
+  EXPECT_EQ(with.particles.skin, 0.2);                                // the deck's
   EXPECT_EQ(*with.run.end_time, *deck.run.end_time);
   EXPECT_FALSE(with.run.accuracy);
   ASSERT_TRUE(with.picked);
@@ -169,7 +170,7 @@ TEST(Accuracy, leaves_the_hexes_out_where_the_particles_are_deep_enough) {
   const Deck with = planned_deck(deck, plan_accuracy(deck, charts));
   ASSERT_EQ(with.bodies.size(), 1u);
   EXPECT_EQ(with.bodies[0].tie, "");
-  EXPECT_EQ(with.bodies[0].faces.back(), (FaceDeck{"y_min", "fixed", {}}));
+  EXPECT_EQ(with.bodies[0].faces.back(), (FaceDeck{"y_min", FaceKind::fixed, {}}));
   EXPECT_THAT(with.picked->changes, testing::Contains(HasSubstr("[body \"bulk\"] left out")));
   deck.bodies[1].convert_distance = 60 * um;
   EXPECT_THAT(refusal(deck, charts), HasSubstr("are to become particles"));
@@ -206,13 +207,13 @@ TEST(Accuracy, refuses_decks_that_the_chart_says_nothing_about) {
   Deck deck = wedge_deck();
   deck.bodies[0].tie.clear();
   EXPECT_THAT(refusal(deck), HasSubstr("body.tie is missing"));
-  deck = wedge_deck(), deck.bodies[1].shape = "cylinder";
+  deck = wedge_deck(), deck.bodies[1].shape = BodyShape::cylinder;
   EXPECT_THAT(refusal(deck), HasSubstr("body \"bulk\" is a cylinder"));
-  deck = wedge_deck(), deck.bodies[0].fill = "hexes";
+  deck = wedge_deck(), deck.bodies[0].fill = Fill::hexes;
   EXPECT_THAT(refusal(deck), HasSubstr("is of particles, and this deck has none"));
   deck = wedge_deck(), deck.tool->position[1] = 50 * um;
   EXPECT_THAT(refusal(deck), HasSubstr("tool.position below the work's top"));
-  deck = wedge_deck(), deck.tool->kind = "wall";
+  deck = wedge_deck(), deck.tool->kind = ToolKind::wall;
   EXPECT_THAT(refusal(deck), HasSubstr("a tool of kind \"wall\""));
   deck = wedge_deck(), deck.tool.reset();
   EXPECT_THAT(refusal(deck), HasSubstr("this deck has no tool"));
@@ -220,8 +221,9 @@ TEST(Accuracy, refuses_decks_that_the_chart_says_nothing_about) {
 
 TEST(Accuracy, the_shipped_chart_reads_and_has_choices) {
   for (const std::string tool : {"wedge", "end_mill"}) {
-    const auto found = std::find_if(accuracy_charts().begin(), accuracy_charts().end(),
-                                    [&](const AccuracyChart& c) { return c.tool == tool; });
+    const auto found =
+        std::find_if(accuracy_charts().begin(), accuracy_charts().end(),
+                     [&](const AccuracyChart& c) { return c.tool == value_of_word<ToolKind>(tool); });
     ASSERT_NE(found, accuracy_charts().end()) << tool;
     Deck deck = read_deck(SWARF_SOURCE_DIR "/" + found->deck);
     deck.run.accuracy = 1;

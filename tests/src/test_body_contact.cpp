@@ -83,7 +83,7 @@ TEST(BodyContact, friction_heats_both_sides_by_halves) {
     simulation.start();
     advance(simulation, 20e-9);
     simulation.check();
-    const double work = simulation.sample().frictional, a = heat_of(simulation, deck, 0),
+    const double work = simulation.take_sample().frictional, a = heat_of(simulation, deck, 0),
                  b = heat_of(simulation, deck, 1);
     EXPECT_GT(work, 0.01 * simulation.initial_kinetic());
     EXPECT_NEAR((a + b) / work, 1, 1e-6) << first << " and " << second;

@@ -21,7 +21,8 @@ Deck hex_block(int particles, bool periodic) {
   deck.bodies = {block("work", "hexes", {0, 0, 0}, {9 * edge, 6 * edge, 6 * edge}, edge)};
   deck.bodies[0].convert_strain = 1, deck.bodies[0].convert_particles = particles;
   if (periodic)
-    for (const char* face : {"z_min", "z_max"}) deck.bodies[0].faces.push_back({face, "periodic", {}});
+    for (const char* face : {"z_min", "z_max"})
+      deck.bodies[0].faces.push_back({face, FaceKind::periodic, {}});
   return deck;
 }
 
@@ -265,7 +266,8 @@ void expect_equal(const std::map<Place, double>& a, const std::map<Place, double
 
 Deck with_sides(Deck deck) {
   for (BodyDeck& b : deck.bodies)
-    for (const char* face : {"x_min", "x_max", "y_min", "y_max"}) b.faces.push_back({face, "periodic", {}});
+    for (const char* face : {"x_min", "x_max", "y_min", "y_max"})
+      b.faces.push_back({face, FaceKind::periodic, {}});
   return deck;
 }
 

@@ -57,7 +57,7 @@ TEST(ConversionInMotion, AStressedBlockStaysAtRestButForTheTie) {
     run_until(simulation, 20 * edge / c, [&] { largest = std::max(largest, largest_speed(scene)); });
     std::printf("%d particles: fastest %.3g of stress / (rho c)\n", scene.particles.count, largest / scale);
     EXPECT_LT(largest / scale, converted == 0 ? 1e-10 : 0.08 * std::sqrt(3.0));
-    EXPECT_NEAR(simulation.sample().residual, 0, 1e-2 * 0.5 * 6e8 * 6e8 / 110e9 * 1e-12);
+    EXPECT_NEAR(simulation.take_sample().residual, 0, 1e-2 * 0.5 * 6e8 * 6e8 / 110e9 * 1e-12);
   }
 }
 
@@ -143,7 +143,7 @@ Outcome run_pulse(double border, bool in_flight) {
   EXPECT_NEAR(momentum_of() / momentum, 1, 1e-12);
   run_until(simulation, half_length / speed, [] {});
   o.momentum_error = momentum_of() / momentum - 1;
-  o.energy_error = simulation.sample().residual / (2 * kinetic);
+  o.energy_error = simulation.take_sample().residual / (2 * kinetic);
   o.profile.assign(60, 0);
   const auto x = host_copy(scene.particles.position), v = host_copy(scene.particles.velocity);
   for (int i = 0; i < scene.particles.count; ++i)
@@ -216,7 +216,7 @@ Cut run_cut(const Deck& deck) {
     simulation.step();
     if (simulation.steps_to_check() > 0) continue;
     simulation.check();
-    const HistorySample s = simulation.sample();
+    const HistorySample s = simulation.take_sample();
     external = s.external, worst = std::max(worst, std::abs(s.residual));
     if (s.time > 0.5 * *deck.run.end_time) sum[0] += s.force[0], sum[1] += s.force[1], ++samples;
   }

@@ -1,6 +1,6 @@
 // The deck reader: values, defaults, the resolved deck, the reference page, the shipped decks.
 #include "src/deck/deck.hpp"
-#include "src/deck/keys.hpp"
+#include "src/deck/section.hpp"
 #include "tests/decks/good_deck.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
@@ -52,7 +52,7 @@ TEST(deck, values_arrive_in_si) {
   EXPECT_EQ(*bulk.cells, (std::array<int, 3>{20, 2, 8}));
   ASSERT_EQ(bulk.faces.size(), 2u); // in the order of the deck
   EXPECT_EQ(bulk.faces[0].face, "outer");
-  EXPECT_EQ(bulk.faces[0].kind, "fixed");
+  EXPECT_EQ(bulk.faces[0].kind, FaceKind::fixed);
   EXPECT_EQ(bulk.faces[1].face, "end");
   EXPECT_EQ(bulk.faces[1].velocity, (Triple{0, 0, 1e-3}));
   ASSERT_TRUE(deck.tool);
@@ -75,10 +75,10 @@ TEST(deck, defaults_are_filled_in) {
   EXPECT_EQ(deck.tool->feed_direction, (Triple{1, 0, 0}));
   EXPECT_FALSE(deck.contact.heat_to_workpiece); // half, unless the tool has a material
   EXPECT_TRUE(deck.tool->material.empty());
-  EXPECT_EQ(deck.particles.smoothing_length, "fixed");
+  EXPECT_EQ(deck.particles.smoothing_length, SmoothingLength::fixed);
   EXPECT_TRUE(deck.particles.correction);
-  EXPECT_EQ(deck.hexes.hourglass, "stiffness");
-  EXPECT_EQ(deck.output.picture_field, "temperature");
+  EXPECT_EQ(deck.hexes.hourglass, HourglassMethod::stiffness);
+  EXPECT_EQ(deck.output.picture_field, PictureField::temperature);
   EXPECT_EQ(deck.output.history_steps, 10);
   EXPECT_FALSE(deck.run.end_time);
 }
@@ -164,6 +164,56 @@ friction = 0
   }
 }
 
+// There is no other default than that of the row: a section made in code has what a deck without the key has.
+template <class Section>
+void expect_row_defaults(const Keys<Section>& keys, const Section& made) {
+  for (const auto& key : keys) {
+    if (!applies(keys, key, made) || decides(keys, key.name)) continue; // the constructor is told these
+    Section alone = made;
+    clear_fields(keys, alone);
+    const std::string nothing = write_field(key, alone);
+    if (has_default(key)) fill_default(key, alone);
+    EXPECT_EQ(write_field(key, made), has_default(key) ? write_field(key, alone) : nothing) << key.name;
+  }
+}
+
+TEST(deck, a_section_made_in_code_has_the_defaults_of_the_rows) {
+  for (std::size_t k = 0; k < words<Law>().size(); ++k)
+    expect_row_defaults(material_keys(), MaterialDeck(Law(int(k))));
+  for (std::size_t k = 0; k < words<BodyShape>().size(); ++k)
+    for (const Fill fill : {Fill::particles, Fill::hexes})
+      expect_row_defaults(body_keys(), BodyDeck(BodyShape(int(k)), fill));
+  for (std::size_t k = 0; k < words<ToolKind>().size(); ++k)
+    expect_row_defaults(tool_keys(), ToolDeck(ToolKind(int(k))));
+  const Deck deck;
+  expect_row_defaults(top_keys(), deck), expect_row_defaults(contact_keys(), deck.contact);
+  expect_row_defaults(particles_keys(), deck.particles), expect_row_defaults(hexes_keys(), deck.hexes);
+  expect_row_defaults(sleep_keys(), deck.sleep), expect_row_defaults(retire_keys(), deck.retire);
+  expect_row_defaults(run_keys(), deck.run), expect_row_defaults(output_keys(), deck.output);
+  expect_row_defaults(windows_keys(), WindowsDeck()), expect_row_defaults(face_keys(), FaceDeck("x_min"));
+  expect_row_defaults(mechanistic_keys(), MechanisticDeck());
+  EXPECT_EQ(deck.particles.viscosity_linear, 0.3); // two of them as docs/guide and the reference page say
+  EXPECT_EQ(ToolDeck(ToolKind::end_mill).core_ratio, 0.6);
+  EXPECT_EQ(ToolDeck(ToolKind::wall).core_ratio, 0); // does not apply
+}
+
+// What a deck leaves out is what code leaves out.
+TEST(deck, a_deck_without_a_section_reads_as_one_made_in_code) {
+  const Deck read = read_text(good_deck), made;
+  EXPECT_EQ(read.particles, made.particles);
+  EXPECT_EQ(read.hexes, made.hexes);
+  EXPECT_EQ(read.sleep, made.sleep);
+}
+
+TEST(words, name_their_values_and_no_others) {
+  EXPECT_EQ(value_of_word<ToolKind>("wedge"), ToolKind::wedge);
+  EXPECT_EQ(word_of(Law::zerilli_armstrong), "zerilli_armstrong");
+  EXPECT_THROW(value_of_word<Fill>("sand"), std::out_of_range);
+  EXPECT_EQ(words<FaceKind>().size(), std::size_t(FaceKind::velocity) + 1);
+  EXPECT_EQ(words<Law>().size(), std::size_t(Law::rigid) + 1);
+  EXPECT_EQ(words<PictureField>().size(), std::size_t(PictureField::velocity) + 1);
+}
+
 TEST(deck, every_key_has_help_and_stands_in_the_reference) {
   const std::string page = key_reference();
   const auto check = [&](const auto& keys) {
@@ -196,7 +246,7 @@ TEST(deck, the_paper_s_scene_has_its_counts) { // Demiral & Mamedov 2022: 370 68
   int particles = 0, hexes = 0;
   for (const BodyDeck& body : deck.bodies) {
     const auto& [around, axial, radial] = *body.cells;
-    (body.fill == "hexes" ? hexes : particles) += around * axial * radial;
+    (body.fill == Fill::hexes ? hexes : particles) += around * axial * radial;
   }
   EXPECT_EQ(particles, 370689);
   EXPECT_EQ(hexes, 123840);

@@ -25,8 +25,8 @@ Deck make_bar(const std::string& fill, int across) {
   const double side = across * mm;
   deck.bodies = {block("bar", fill, {mm, 0, 0}, {240 * mm, side, side}, mm)};
   hold(deck.bodies[0], "symmetric", {"y_min", "y_max", "z_min", "z_max"});
-  ToolDeck wall;
-  wall.kind = "wall", wall.normal = {1, 0, 0}, wall.size = 20 * mm, wall.position = {0.6 * mm, 0, 0};
+  ToolDeck wall(ToolKind::wall);
+  wall.normal = {1, 0, 0}, wall.size = 20 * mm, wall.position = {0.6 * mm, 0, 0};
   wall.velocity = {0, 100, 0};
   deck.tool = wall;
   deck.sleep.distance = distance, deck.sleep.ramp = ramp / distance, deck.sleep.speed = 1;
@@ -82,8 +82,8 @@ int count_active(const std::string& fill, const Triple& wall_position) {
   deck.materials = {elastic_material(4430, 110e9, 0.33)};
   deck.bodies = {block("plate", fill, {0.25 * mm, 0.25 * mm, 0}, {60 * mm, 60 * mm, 5 * mm}, mm)};
   hold(deck.bodies[0], "periodic", {"x_min", "x_max", "y_min", "y_max"});
-  ToolDeck wall;
-  wall.kind = "wall", wall.normal = {0, 0, -1}, wall.size = 1.5 * mm, wall.position = wall_position;
+  ToolDeck wall(ToolKind::wall);
+  wall.normal = {0, 0, -1}, wall.size = 1.5 * mm, wall.position = wall_position;
   wall.velocity = {1, 0, 0};
   deck.tool = wall;
   deck.sleep.distance = 16 * mm, deck.sleep.speed = 1;

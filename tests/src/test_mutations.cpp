@@ -76,8 +76,8 @@ TEST(Mutations, of_decks) {
 TEST(Mutations, of_stl_files) {
   const TemporaryFolder folder;
   Chance chance(2);
-  ToolDeck wall;
-  wall.kind = "wall", wall.size = 1e-3;
+  ToolDeck wall(ToolKind::wall);
+  wall.size = 1e-3;
   const FacetSurface surface = make_wall(wall);
   write_stl(surface, (folder / "binary.stl").string());
   std::string text = "solid wall\n";

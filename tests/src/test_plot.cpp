@@ -1,6 +1,6 @@
 #include "src/output/history.hpp"
-#include "src/pictures/display.hpp"
-#include "src/pictures/plot.hpp"
+#include "src/plots/display.hpp"
+#include "src/plots/plot.hpp"
 #include "support/pixels.hpp"
 #include "support/temporary_folder.hpp"
 

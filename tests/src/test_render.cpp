@@ -1,5 +1,5 @@
-#include "src/pictures/display.hpp"
 #include "src/pictures/render.hpp"
+#include "src/plots/display.hpp"
 #include "support/pixels.hpp"
 
 #include <gmock/gmock.h>

@@ -341,5 +341,5 @@ TEST_F(Resume, names_each_key_that_must_not_change) {
       folder, edit_small_deck({{"mass_factor = 1e5", "mass_factor = 2e5"}, {"n = 0.34", "n = 0.35"}}),
       "other.toml");
   expect_refused(plain_run(other, results, {"--resume"}),
-                 {"[run] mass_factor = 200000, was 100000", "[material.ti64] n = 0.35, was 0.34"});
+                 {"[run] mass_factor = 200000.0, was 100000.0", "[material.ti64] n = 0.35, was 0.34"});
 }

@@ -254,7 +254,7 @@ std::pair<long, std::string> steps_until_seen(const Spoil& spoil) {
     for (int k = 0; k < 1000; ++k) {
       simulation.step();
       if (simulation.steps_to_check() > 0) continue;
-      simulation.check(), simulation.sample();
+      simulation.check(), simulation.take_sample();
     }
   } catch (const SimulationFault& fault) {
     return {simulation.step_count() - 30, fault.what()};

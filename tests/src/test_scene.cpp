@@ -34,7 +34,7 @@ TEST(Scene, FieldsOfOptionsThatAreOffHaveNoRows) {
   Deck deck = empty_deck();
   deck.bodies = {block("b", "particles", {0, 0, 0}, {1e-3, 1e-3, 1e-3}, 0.2e-3)};
   deck.particles.hourglass_stiffness = 0;
-  deck.particles.pressure_diffusion = 0, deck.particles.density = "continuity";
+  deck.particles.pressure_diffusion = 0, deck.particles.density = DensityRule::continuity;
   const auto rows = [&] {
     const Particles p = build_scene(deck).particles;
     return p.hourglass_displacement.extent(0) + p.hourglass_rate.extent(0) + p.pressure_state.extent(0) +
@@ -161,8 +161,9 @@ TEST(Scene, Faces) {
   Deck deck = empty_deck();
   deck.bodies = {block("hexes", "hexes", {0, 0, 0}, {4e-3, 3e-3, 2e-3}, 1e-3),
                  block("particles", "particles", {10e-3, 0, 0}, {4e-3, 3e-3, 2e-3}, 1e-3)};
-  for (BodyDeck& b : deck.bodies) b.faces = {{"x_min", "fixed", {}}, {"z_max", "symmetric", {}}};
-  deck.bodies[1].faces.push_back({"y_max", "velocity", {0, 0, -5}});
+  for (BodyDeck& b : deck.bodies)
+    b.faces = {{"x_min", FaceKind::fixed, {}}, {"z_max", FaceKind::symmetric, {}}};
+  deck.bodies[1].faces.push_back({"y_max", FaceKind::velocity, {0, 0, -5}});
   deck.bodies[1].size[2] = 8e-3, deck.bodies[1].origin[2] = -6e-3; // both z_max in one plane
   const Scene scene = build_scene(deck);
   const auto node = host_copy(scene.hexes.constraints), particle = host_copy(scene.particles.constraints);
@@ -202,7 +203,7 @@ TEST(Scene, Faces) {
 TEST(Scene, HeldRowsFollowTheNext) {
   Deck deck = empty_deck();
   deck.bodies = {block("b", "particles", {0, 0, 0}, {5e-3, 4e-3, 3e-3}, 1e-3)};
-  deck.bodies[0].faces = {{"x_min", "fixed", {}}, {"y_max", "velocity", {0, 0, -5}}};
+  deck.bodies[0].faces = {{"x_min", FaceKind::fixed, {}}, {"y_max", FaceKind::velocity, {0, 0, -5}}};
   const Scene scene = build_scene(deck);
   const auto bits = host_copy(scene.particles.constraints);
   const auto x = host_copy(scene.particles.position), v = host_copy(scene.particles.velocity);
@@ -224,13 +225,13 @@ TEST(Scene, HeldRowsFollowTheNext) {
 TEST(Scene, RowsWithoutAnotherBehindAreHeld) {
   Deck deck = empty_deck();
   deck.bodies = {block("b", "particles", {0, 0, 0}, {2e-3, 4e-3, 3e-3}, 1e-3)};
-  deck.bodies[0].faces = {{"x_min", "fixed", {}}};
+  deck.bodies[0].faces = {{"x_min", FaceKind::fixed, {}}};
   EXPECT_EQ(build_scene(deck).held_rows.groups, 0);
   deck.bodies = {body("c", "cylinder", "particles")};
   deck.bodies[0].radius = 4e-3, deck.bodies[0].height = 4e-3, deck.bodies[0].spacing = 1e-3;
-  deck.bodies[0].faces = {{"side", "fixed", {}}};
+  deck.bodies[0].faces = {{"side", FaceKind::fixed, {}}};
   EXPECT_EQ(build_scene(deck).held_rows.groups, 0);
-  deck.bodies[0].faces = {{"bottom", "fixed", {}}};
+  deck.bodies[0].faces = {{"bottom", FaceKind::fixed, {}}};
   const Scene scene = build_scene(deck);
   const auto x = host_copy(scene.particles.position);
   const auto host = host_copy(scene.held_rows.host), held = host_copy(scene.held_rows.held);
@@ -247,7 +248,8 @@ TEST(Scene, PeriodicSector) {
   deck.bodies[0].tie = "bulk";
   for (BodyDeck& b : deck.bodies) {
     b.start_angle = 30 * degree, b.end_angle = 90 * degree;
-    for (const char* face : {"start", "end", "bottom", "top"}) b.faces.push_back({face, "periodic", {}});
+    for (const char* face : {"start", "end", "bottom", "top"})
+      b.faces.push_back({face, FaceKind::periodic, {}});
   }
   const Scene scene = build_scene(deck);
   EXPECT_EQ(scene.ghost_planes.size(), 4u);
@@ -271,7 +273,8 @@ TEST(Scene, PeriodicSector) {
 TEST(Scene, ContactAreaIsTheFreeSurface) {
   Deck deck = empty_deck();
   BodyDeck bar = body("c", "cylinder", "hexes");
-  bar.radius = 1e-3, bar.height = 2e-3, bar.spacing = 0.1e-3, bar.faces = {{"bottom", "symmetric", {}}};
+  bar.radius = 1e-3, bar.height = 2e-3, bar.spacing = 0.1e-3,
+  bar.faces = {{"bottom", FaceKind::symmetric, {}}};
   deck.bodies = {bar};
   const Scene scene = build_scene(deck);
   EXPECT_NEAR(sum(scene.hexes.contact_area, scene.hexes.nodes) / (pi * 1e-6 + 2 * pi * 2e-6), 1, 5e-3);

@@ -17,8 +17,8 @@ constexpr double dx = 5 * um;
 Deck wedge_deck() {
   Deck deck = empty_deck();
   deck.bodies = {block("work", "particles", {0, -50 * um, 0}, {300 * um, 50 * um, 10 * um}, dx)};
-  ToolDeck tool;
-  tool.kind = "wedge", tool.velocity = {1, 0, 0};
+  ToolDeck tool(ToolKind::wedge);
+  tool.velocity = {1, 0, 0};
   deck.tool = tool;
   return deck;
 }
@@ -121,7 +121,7 @@ TEST(Surface, DescribesAShortCut) {
 
 TEST(Surface, RefusesToolsWithoutACut) {
   Deck deck = wedge_deck();
-  deck.tool->kind = "wall";
+  deck.tool->kind = ToolKind::wall;
   EXPECT_NE(message_of<ResultsError>([&] { MachinedSurface{deck}; }).find("only a wedge and an end mill"),
             std::string::npos);
 }

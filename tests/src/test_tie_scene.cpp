@@ -24,7 +24,8 @@ Deck two_layers(int ratio) {
                        ratio * spacing)};
   deck.bodies[0].tie = "bulk";
   for (BodyDeck& b : deck.bodies)
-    for (const char* face : {"x_min", "x_max", "y_min", "y_max"}) b.faces.push_back({face, "periodic", {}});
+    for (const char* face : {"x_min", "x_max", "y_min", "y_max"})
+      b.faces.push_back({face, FaceKind::periodic, {}});
   return deck;
 }
 

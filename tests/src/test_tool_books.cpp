@@ -21,7 +21,7 @@ TEST(ToolPatches, KeepTheBooksOfACut) {
     s.step();
     if (s.steps_to_check() > 0) continue;
     s.check();
-    const HistorySample sample = s.sample();
+    const HistorySample sample = s.take_sample();
     force += std::hypot(sample.force[0], sample.force[1]) * (sample.time - last);
     const ToolFields f = s.take_tool_fields();
     for (std::size_t p = 0; p < f.contact_pressure.size(); ++p) {

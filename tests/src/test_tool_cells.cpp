@@ -11,8 +11,8 @@ namespace {
 constexpr double side = 1e-3, width = 0.1e-3, alpha = 46 / (15000.0 * 203);
 
 MaterialDeck carbide() {
-  MaterialDeck m{};
-  m.name = "carbide", m.law = "rigid", m.density = 15000, m.specific_heat = 203, m.conductivity = 46;
+  MaterialDeck m(Law::rigid);
+  m.name = "carbide", m.density = 15000, m.specific_heat = 203, m.conductivity = 46;
   return m;
 }
 

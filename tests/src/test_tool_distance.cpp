@@ -148,8 +148,8 @@ TEST(ToolDistance, DistanceIsExactOnAWall) {
 TEST(ToolDistance, DistanceIsExactOnASphereFromAFile) {
   const TemporaryFolder folder;
   write_stl(make_sphere(1e-4, 3), (folder / "sphere.stl").string());
-  ToolDeck deck;
-  deck.kind = "stl", deck.file = "sphere.stl";
+  ToolDeck deck(ToolKind::stl);
+  deck.file = "sphere.stl";
   expect_exact(make_tool_surface(deck, folder.path.string()), deck, 5e-6, 5000);
 }
 

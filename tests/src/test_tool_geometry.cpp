@@ -103,7 +103,6 @@ TEST(EndMill, ImpossibleShapesAreRefusedByKey) {
   deck = make_wedge_deck(), deck.rake = 89 * degree, refused(deck, "tool.rake");
   deck = make_wedge_deck(), deck.height = 10e-6, refused(deck, "tool.height");
   deck = make_wall_deck(), deck.normal = {0, 0, 0}, refused(deck, "tool.normal");
-  deck = make_wall_deck(), deck.kind = "saw", refused(deck, "tool.kind: \"saw\"");
 }
 
 TEST(Wedge, LowestPointOfTheEdgeIsTheOriginAndTheRakeFaceLooksAlongX) {

@@ -26,15 +26,15 @@ Case mill() {
   return {make_end_mill(deck), deck, {0, 400 * um, 50 * um}};
 }
 Case wedge() {
-  ToolDeck deck;
-  deck.kind = "wedge", deck.rake = 15 * degree, deck.clearance = 2 * degree, deck.edge_radius = 20 * um;
+  ToolDeck deck(ToolKind::wedge);
+  deck.rake = 15 * degree, deck.clearance = 2 * degree, deck.edge_radius = 20 * um;
   deck.width = 60 * um, deck.height = 300 * um;
   return {make_wedge(deck), deck, {0, 0, 0}};
 }
 Case stl(const TemporaryFolder& folder) {
   Case c = wedge();
   write_stl(c.surface, folder / "wedge.stl");
-  c.surface = read_stl(folder / "wedge.stl", 1), c.deck.kind = "stl";
+  c.surface = read_stl(folder / "wedge.stl", 1), c.deck.kind = ToolKind::stl;
   return c;
 }
 

@@ -294,8 +294,8 @@ TEST(Stl, EveryGeneratedToolComesBackWholeAndTwiceTheSame) {
 TEST(Stl, ReadsAsciiWithItsUnit) {
   const TemporaryFolder folder;
   write_bytes(folder / "t.stl", ascii_tetrahedron);
-  ToolDeck deck;
-  deck.kind = "stl", deck.file = "t.stl", deck.file_scale = 1e-3;
+  ToolDeck deck(ToolKind::stl);
+  deck.file = "t.stl", deck.file_scale = 1e-3;
   const FacetSurface s = make_tool_surface(deck, folder.path.string());
   EXPECT_EQ(s.facets.size(), 4u);
   EXPECT_EQ(s.vertices.size(), 4u);

@@ -1,6 +1,6 @@
 // Units against their definitions in the SI brochure (BIPM 2019): exact decimal prefixes, min = 60 s, 0 degC
 // = 273.15 K.
-#include "src/deck/units.hpp"
+#include "src/units/units.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

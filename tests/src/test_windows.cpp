@@ -38,7 +38,7 @@ Deck sector() {
 }
 
 WindowsDeck windows_of(double first, double last, double step) {
-  WindowsDeck windows = default_windows();
+  WindowsDeck windows;
   windows.first = first * degree, windows.last = last * degree, windows.step = step * degree;
   return windows;
 }
@@ -127,7 +127,7 @@ TEST(Windows, hold_run_in_lag_and_what_lies_ahead) {
         window.deck.bodies[1].faces; // the bulk goes on behind the window, and begins at its free end
     ASSERT_EQ(faces.size(), 1u);
     EXPECT_EQ(faces[0].face, "start");
-    EXPECT_EQ(faces[0].kind, "fixed");
+    EXPECT_EQ(faces[0].kind, FaceKind::fixed);
   }
 }
 

@@ -12,20 +12,20 @@ namespace swarf::test {
 inline constexpr double coarse = sizeof(Real) == 8 ? 1 : 1e7; // float against double
 
 inline ToolDeck make_mill(int flutes = 2) { // Demiral & Mamedov (2022); angles and core assumed
-  ToolDeck t;
-  t.kind = "end_mill", t.diameter = 800e-6, t.flutes = flutes, t.helix = 25.2 * degree, t.rake = 5 * degree;
+  ToolDeck t(ToolKind::end_mill);
+  t.diameter = 800e-6, t.flutes = flutes, t.helix = 25.2 * degree, t.rake = 5 * degree;
   t.clearance = 10 * degree, t.edge_radius = 6e-6, t.length = 150e-6, t.core_ratio = 0.5;
   return t;
 }
 inline ToolDeck make_wedge_deck() { // the orthogonal cut of Ti-6Al-4V: rake 15, clearance 2 deg, edge 20 um
-  ToolDeck t;
-  t.kind = "wedge", t.rake = 15 * degree, t.clearance = 2 * degree, t.edge_radius = 20e-6, t.width = 60e-6;
+  ToolDeck t(ToolKind::wedge);
+  t.rake = 15 * degree, t.clearance = 2 * degree, t.edge_radius = 20e-6, t.width = 60e-6;
   t.height = 300e-6;
   return t;
 }
 inline ToolDeck make_wall_deck() {
-  ToolDeck t;
-  t.kind = "wall", t.normal = {1, 2, -2}, t.size = 1e-3;
+  ToolDeck t(ToolKind::wall);
+  t.normal = {1, 2, -2}, t.size = 1e-3;
   return t;
 }
 

@@ -14,8 +14,8 @@ Deck thrown(const Formulation& f, double a, const Triple& velocity) {
   f.apply(deck);
   deck.bodies = {block("block", f.fill, {0, 0, 0.01 * a}, {n * a, n * a, n * a}, a)};
   deck.bodies[0].velocity = velocity;
-  deck.tool = ToolDeck{};
-  deck.tool->kind = "wall", deck.tool->normal = {0, 0, 1}, deck.tool->size = 40 * n * a;
+  deck.tool = ToolDeck(ToolKind::wall);
+  deck.tool->normal = {0, 0, 1}, deck.tool->size = 40 * n * a;
   deck.contact.friction = 0.5;
   return deck;
 }
@@ -41,7 +41,7 @@ Outcome scale_scene(const Formulation& f) {
   for (const int power : {-10, -20, -24, -30}) { // spacings of 1 mm, 1 um, 60 nm, 1 nm
     const double a = std::ldexp(1.0, power);
     Deck deck = thrown(f, a, {0.01 * wave, 0, -0.02 * wave});
-    deck.materials[0].law = "linear_hardening";
+    deck.materials[0].law = Law::linear_hardening;
     deck.materials[0].yield_stress = 900e6, deck.materials[0].hardening_modulus = 1e9;
     deck.materials[0].taylor_quinney = 0.9;
     Simulation simulation(deck);

@@ -22,7 +22,7 @@ void corrected(Deck& deck) {
 
 void hexes(Deck& deck, const std::string& hourglass, bool deletes) {
   deck.hexes = shipped_defaults().hexes;
-  deck.hexes.hourglass = hourglass;
+  deck.hexes.hourglass = value_of_word<HourglassMethod>(hourglass);
   deck.hexes.delete_failed = deletes;
   if (deletes) deck.hexes.delete_at_strain = 1;
 }
@@ -45,7 +45,7 @@ Formulation total_lagrangian(const std::string& name, const std::string& text, d
                              double hourglass_stiffness) {
   return {name, text, "particles", false, false, [=](Deck& d) {
             defaults(d);
-            d.particles.kernel_frame = "initial", d.particles.viscosity_linear = viscosity;
+            d.particles.kernel_frame = KernelFrame::initial, d.particles.viscosity_linear = viscosity;
             d.particles.hourglass_stiffness = hourglass_stiffness;
           }};
 }

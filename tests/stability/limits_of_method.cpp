@@ -41,7 +41,7 @@ bool keeps_bounded(Deck deck, double courant, long& steps) {
       simulation.step(), ++steps;
       if (simulation.steps_to_check() > 0) continue;
       simulation.check();
-      const HistorySample s = simulation.sample();
+      const HistorySample s = simulation.take_sample();
       if (!(s.kinetic + s.elastic < 2 * simulation.initial_kinetic())) return false;
     }
   } catch (const SimulationFault&) {
@@ -63,7 +63,8 @@ double work_of_squeezing(const Formulation& f, double mass_factor, double viscos
   Deck deck = cube(f, 4, a);
   deck.materials = read_deck(std::string(SWARF_SOURCE_DIR) + "/inputs/orthogonal_cutting.toml").materials;
   deck.bodies[0].material = deck.materials[0].name;
-  deck.bodies[0].faces = {{"z_min", "velocity", {0, 0, 0}}, {"z_max", "velocity", {0, 0, -speed}}};
+  deck.bodies[0].faces = {{"z_min", FaceKind::velocity, {0, 0, 0}},
+                          {"z_max", FaceKind::velocity, {0, 0, -speed}}};
   deck.materials[0].conductivity = 0;
   deck.run.mass_factor = mass_factor, deck.run.courant = 0.5;
   if (viscosity >= 0) set_viscosity(deck, viscosity);
@@ -82,7 +83,7 @@ double work_of_squeezing(const Formulation& f, double mass_factor, double viscos
   } catch (const SimulationFault&) {
     return std::nan("");
   }
-  return simulation.sample().external * end / simulation.time(); // the last step may pass the end
+  return simulation.take_sample().external * end / simulation.time(); // the last step may pass the end
 }
 
 } // namespace

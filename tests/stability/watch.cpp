@@ -78,7 +78,7 @@ void Watch::run(double end, const std::function<void()>& look) {
   const double most_steps = 10 * (end - begin) / step_at_start + 100;
   double next = 0;
   const auto at_check = [&] {
-    const HistorySample s = simulation.sample();
+    const HistorySample s = simulation.take_sample();
     residual = std::max(residual, std::abs(s.residual));
     external = s.external;
     energy = std::max(energy, simulation.initial_kinetic() + std::abs(s.external));

@@ -9,26 +9,11 @@ namespace swarf::test {
 
 // Every key of the method at its shipped default. Materials, bodies, tool and end are the case's own.
 inline Deck shipped_defaults() {
-  const TemporaryFolder folder;
-  const std::string file = (folder / "deck.toml").string();
-  std::ofstream(file) << R"(
-[material.a]
-law = "elastic"
-density = "1000 kg/m3"
-youngs_modulus = "1 GPa"
-poissons_ratio = 0.3
-[[body]]
-name = "b"
-shape = "block"
-fill = "hexes"
-material = "a"
-size = ["1 m", "1 m", "1 m"]
-spacing = "1 m"
-[run]
-end_time = "1 s"
-)";
-  Deck deck = read_deck(file);
-  deck.bodies.clear();
+  Deck deck;
+  deck.file = "deck.toml", deck.run.end_time = 1;
+  MaterialDeck elastic(Law::elastic);
+  elastic.name = "a", elastic.density = 1000, elastic.youngs_modulus = 1e9, elastic.poissons_ratio = 0.3;
+  deck.materials = {elastic};
   return deck;
 }
 
@@ -61,7 +46,7 @@ inline MaterialDeck elastic_material(double density, double E, double nu) {
 }
 
 inline void hold(BodyDeck& body, const std::string& kind, const std::vector<const char*>& faces) {
-  for (const char* face : faces) body.faces.push_back({face, kind, {}});
+  for (const char* face : faces) body.faces.emplace_back(face, value_of_word<FaceKind>(kind));
 }
 
 struct PointState {

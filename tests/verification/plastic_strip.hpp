@@ -21,14 +21,15 @@ struct Pull {
 inline Deck strip(const Pull& pull, const std::string& fill) {
   Deck deck = read_deck(std::string(SWARF_SOURCE_DIR) + "/inputs/orthogonal_cutting.toml");
   MaterialDeck& mat = deck.materials[0];
-  mat.law = "linear_hardening", mat.yield_stress = yield_stress, mat.hardening_modulus = pull.hardening;
+  mat.law = Law::linear_hardening, mat.yield_stress = yield_stress, mat.hardening_modulus = pull.hardening;
   mat.taylor_quinney = 0, mat.conductivity = 0;
   const double height = pull.across * dx;
   deck.bodies = {
       block("strip", fill, {-pull.length() / 2, -height / 2, 0}, {pull.length(), height, deep * dx}, dx)};
   BodyDeck& body = deck.bodies[0];
   body.material = mat.name;
-  body.faces = {{"x_min", "velocity", {-pull.speed, 0, 0}}, {"x_max", "velocity", {pull.speed, 0, 0}}};
+  body.faces = {{"x_min", FaceKind::velocity, {-pull.speed, 0, 0}},
+                {"x_max", FaceKind::velocity, {pull.speed, 0, 0}}};
   hold(body, "periodic", {"z_min", "z_max"});
   deck.tool.reset();
   deck.output.force_scale = 1;

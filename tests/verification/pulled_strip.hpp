@@ -14,10 +14,10 @@ inline Deck strip(const std::string& fill, double pull, int along = 40, int acro
   deck.materials[0].poissons_ratio = nu;
   deck.bodies = {
       block("strip", fill, {-along * a / 2, -across * a / 2, 0}, {along * a, across * a, 3 * a}, a)};
-  deck.bodies[0].faces = {{"z_min", "periodic", {}},
-                          {"z_max", "periodic", {}},
-                          {"x_min", "velocity", {-pull, 0, 0}},
-                          {"x_max", "velocity", {pull, 0, 0}}};
+  deck.bodies[0].faces = {{"z_min", FaceKind::periodic, {}},
+                          {"z_max", FaceKind::periodic, {}},
+                          {"x_min", FaceKind::velocity, {-pull, 0, 0}},
+                          {"x_max", FaceKind::velocity, {pull, 0, 0}}};
   return deck;
 }
 

@@ -16,8 +16,8 @@ inline Deck rubber() {
 }
 
 inline void put_wall(Deck& deck) {
-  deck.tool = ToolDeck{};
-  deck.tool->kind = "wall", deck.tool->normal = {1, 0, 0}, deck.tool->size = 8 * outer;
+  deck.tool = ToolDeck(ToolKind::wall);
+  deck.tool->normal = {1, 0, 0}, deck.tool->size = 8 * outer;
   deck.tool->position = {-outer, 0, 0};
 }
 
@@ -26,7 +26,7 @@ inline BodyDeck ring_of(const std::string& fill, int across) {
   const double a = (outer - inner) / across;
   const int around = int(std::lround(pi * (inner + outer) / a));
   BodyDeck b = ring("ring", fill, inner, outer, 3 * a, {around, 3, across});
-  b.faces = {{"bottom", "periodic", {}}, {"top", "periodic", {}}};
+  b.faces = {{"bottom", FaceKind::periodic, {}}, {"top", FaceKind::periodic, {}}};
   b.velocity = {-speed, 0, 0};
   return b;
 }

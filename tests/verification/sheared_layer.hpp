@@ -23,8 +23,8 @@ inline Deck sheared(const Shape& l, const std::string& fill = "particles") {
   deck.bodies = {block("layer", fill, {0, 0, 0}, {l.along * dx, l.height(), l.deep * dx}, dx)};
   BodyDeck& layer = deck.bodies[0];
   layer.material = mat.name, layer.temperature = mat.reference_temperature;
-  layer.faces = {{"y_min", "velocity", {-l.speed / 2, press / 2, 0}},
-                 {"y_max", "velocity", {l.speed / 2, -press / 2, 0}}};
+  layer.faces = {{"y_min", FaceKind::velocity, {-l.speed / 2, press / 2, 0}},
+                 {"y_max", FaceKind::velocity, {l.speed / 2, -press / 2, 0}}};
   hold(layer, "periodic", {"x_min", "x_max", "z_min", "z_max"});
   deck.tool.reset();
   deck.output.force_scale = 1;
@@ -54,7 +54,7 @@ inline constexpr double yield_stress = 1e9, hardening = 0.2e9;
 
 // Hardening, so that the shear stays even.
 inline void harden(MaterialDeck& mat) {
-  mat.law = "linear_hardening", mat.yield_stress = yield_stress, mat.hardening_modulus = hardening;
+  mat.law = Law::linear_hardening, mat.yield_stress = yield_stress, mat.hardening_modulus = hardening;
 }
 
 // The part of the layer that is farther than three rows from both plates.

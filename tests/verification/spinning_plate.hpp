@@ -21,7 +21,8 @@ inline Deck plate(const std::string& fill, int n) {
   } else {
     deck.bodies = {block("plate", fill, corner, size, a)};
   }
-  for (BodyDeck& b : deck.bodies) b.faces = {{"z_min", "periodic", {}}, {"z_max", "periodic", {}}};
+  for (BodyDeck& b : deck.bodies)
+    b.faces = {{"z_min", FaceKind::periodic, {}}, {"z_max", FaceKind::periodic, {}}};
   return deck;
 }
 

@@ -62,7 +62,7 @@ inline BarShape run_taylor_bar(const Deck& deck, double end) {
     if (simulation.time() < next && simulation.time() < end) return;
     next += end / 400;
     ruler.measure(simulation.scene(), simulation.time(), shape);
-    const HistorySample now = simulation.sample();
+    const HistorySample now = simulation.take_sample();
     shape.largest_residual =
         std::max(shape.largest_residual, std::abs(now.residual) / simulation.initial_kinetic());
     shape.artificial = (now.hourglass + now.viscous) / simulation.initial_kinetic();

@@ -121,7 +121,7 @@ TEST(BendingLong, PlateOfParticlesInTheInitialFrame) {
   const std::string name = "particles, total Lagrangian";
   for (const double stiffness : {0.0, 1.0}) {
     Deck method = shipped_defaults();
-    method.particles.kernel_frame = "initial", method.particles.hourglass_stiffness = stiffness;
+    method.particles.kernel_frame = KernelFrame::initial, method.particles.hourglass_stiffness = stiffness;
     const std::string how = stiffness > 0 ? "hourglass stiffness 1" : "shipped defaults";
     const std::array<int, 3> across{4, 6, 8};
     std::array<double, 3> size{}, error{};

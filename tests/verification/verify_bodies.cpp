@@ -18,7 +18,7 @@ const Fills all_fills[] = {
 Deck between(const Fills& fills, double first_spacing, double second_spacing, const Triple& first,
              const Triple& second, double gap) {
   Deck deck = default_deck();
-  deck.contact.between_bodies = "all";
+  deck.contact.between_bodies = BetweenBodies::all;
   deck.bodies = {block("first", fills.first, {0, 0, -first[2]}, first, first_spacing),
                  block("second", fills.second, {0, 0, gap}, second, second_spacing)};
   deck.bodies[1].line = 14;
@@ -78,7 +78,7 @@ TEST(Bodies, MomentumToRoundOff) {
     const double lost = double(norm(after.momentum - before.momentum)) / scale;
     report({name, "momentum that is lost", "unequal cells, friction 0.3", 0, "", "Newton's third law", lost,
             lost, 1e-12, true});
-    const HistorySample s = (simulation.check(), simulation.sample());
+    const HistorySample s = (simulation.check(), simulation.take_sample());
     const double given = simulation.initial_kinetic();
     report({name, "energy that is missing", "unequal cells, friction 0.3", 0, "", "the first law",
             s.residual / given, std::abs(s.residual) / given, 0.01, true});
@@ -106,7 +106,7 @@ TEST(Bodies, BarsThatMeet) {
       report({"16 bars that meet, " + fills.text(), "speed at which they part / speed at which they meet",
               fmt::format("20 cells against {}", 20 * ratio), 1.0 / ratio, "", "Saint-Venant 1867",
               (second - first) / speed, std::abs((second - first) / speed - 1.0 / ratio), 0.05, true});
-      const HistorySample sample = (simulation.check(), simulation.sample());
+      const HistorySample sample = (simulation.check(), simulation.take_sample());
       report({"16 bars that meet, " + fills.text(), "energy that is missing",
               fmt::format("20 cells against {}", 20 * ratio), 0, "", "the first law",
               sample.residual / simulation.initial_kinetic(),

@@ -15,7 +15,7 @@ Deck column(const std::string& fill, int across) {
   deck.materials[0].density = density, deck.materials[0].youngs_modulus = E;
   deck.materials[0].poissons_ratio = nu;
   deck.bodies = {block("column", fill, {-width / 2, -width / 2, 0}, {width, width, length}, width / across)};
-  deck.bodies[0].faces = {{"z_min", "fixed", {}}};
+  deck.bodies[0].faces = {{"z_min", FaceKind::fixed, {}}};
   return deck;
 }
 
@@ -77,7 +77,7 @@ Twist twist(const Deck& deck, double omega, double end) {
     return w;
   }
   if (scene.particles.count > 0) w.parts = count_parts(scene.particles, 1.6 * *deck.bodies[0].spacing);
-  w.residual = simulation.sample().residual / simulation.initial_kinetic();
+  w.residual = simulation.take_sample().residual / simulation.initial_kinetic();
   return w;
 }
 

@@ -16,26 +16,27 @@ constexpr double k = 7.2, rho = 4430, c = 526.3, alpha = k / (rho * c); // Ti-6A
 constexpr double end = 10e-6, depth = 10 * um, reach = 60 * um;         // five diffusion lengths
 const std::string source = "Carslaw & Jaeger 1959, ch. 2";
 
-enum class Fill { particles, hexes, hybrid };
+enum class Filling { particles, hexes, hybrid };
 
 // The mass factor only lengthens the mechanical step to that of conduction: nothing moves.
-Deck slab(Fill fill, double spacing) {
+Deck slab(Filling fill, double spacing) {
   Deck deck = empty_deck();
   deck.materials[0].conductivity = k;
   const double side = 4 * spacing;
   const auto half = [&](const char* name, const char* filled, double from, double T) {
     BodyDeck b = block(name, filled, {from, 0, 0}, {reach, side, side}, spacing);
     b.temperature = T;
-    for (const char* face : {"y_min", "y_max", "z_min", "z_max"}) b.faces.push_back({face, "periodic", {}});
+    for (const char* face : {"y_min", "y_max", "z_min", "z_max"})
+      b.faces.push_back({face, FaceKind::periodic, {}});
     return b;
   };
-  if (fill == Fill::hexes) {
+  if (fill == Filling::hexes) {
     deck.bodies = {half("slab", "hexes", -reach, 300)};
     deck.bodies[0].size[0] = 2 * reach;
   } else {
     deck.bodies = {half("left", "particles", -reach, 301),
-                   half("right", fill == Fill::hybrid ? "hexes" : "particles", 0, 299)};
-    if (fill == Fill::hybrid) deck.bodies[0].tie = "right";
+                   half("right", fill == Filling::hybrid ? "hexes" : "particles", 0, 299)};
+    if (fill == Filling::hybrid) deck.bodies[0].tie = "right";
   }
   deck.run.courant = 0.3, deck.run.mass_factor = 1e7;
   Simulation trial(deck); // whole steps of conduction, as long as they may be, fill the time
@@ -98,13 +99,13 @@ void run(Simulation& simulation) {
 }
 
 // What is left of the step between the halves: T - 299 at `depth` to the right, erfc by theory.
-void step_between_halves(Fill fill, const std::string& name) {
+void step_between_halves(Filling fill, const std::string& name) {
   std::array<double, 3> size{4 * um, 2 * um, 1 * um}, error{};
   const double reference = std::erfc(depth / (2 * std::sqrt(alpha * end)));
   for (std::size_t r = 0; r < 3; ++r) {
     Simulation simulation(slab(fill, size[r]));
     const Scene& scene = simulation.scene();
-    if (fill == Fill::hexes)
+    if (fill == Filling::hexes)
       set_nodal_temperature(scene, [](double x) { return 300 - (x > 1e-9 ? 1 : x < -1e-9 ? -1 : 0); });
     const double before = energy_of(scene);
     run(simulation);
@@ -116,7 +117,7 @@ void step_between_halves(Fill fill, const std::string& name) {
             "K", source, right, error[r], 0.01});
     report({name, "energy kept", "spacing 1 um", 1, "", "conservation", energy_of(scene) / before,
             std::abs(energy_of(scene) / before - 1), 1e-12, true});
-    if (fill != Fill::hybrid) continue;
+    if (fill != Filling::hybrid) continue;
     Series ours{"particles x < 0, hexes x > 0", now.x, now.T, false, true}, theory{"erfc", {}, {}, true};
     for (double& x : ours.x) x /= um;
     for (double x = -reach; x <= reach; x += um)
@@ -129,10 +130,12 @@ void step_between_halves(Fill fill, const std::string& name) {
 
 } // namespace
 
-TEST(VerifyConduction, StepInParticles) { step_between_halves(Fill::particles, "9 conduction, particles"); }
-TEST(VerifyConduction, StepInHexes) { step_between_halves(Fill::hexes, "9 conduction, hexes"); }
+TEST(VerifyConduction, StepInParticles) {
+  step_between_halves(Filling::particles, "9 conduction, particles");
+}
+TEST(VerifyConduction, StepInHexes) { step_between_halves(Filling::hexes, "9 conduction, hexes"); }
 TEST(VerifyConduction, StepThroughTheTie) {
-  step_between_halves(Fill::hybrid, "9 conduction, through the tie");
+  step_between_halves(Filling::hybrid, "9 conduction, through the tie");
 }
 
 // 1e9 W/m2 through the surface x = -reach of hexes warms it by 2 q sqrt(alpha t / pi) / k = 870.90 K in 10
@@ -142,7 +145,7 @@ TEST(VerifyConduction, FluxIntoHexes) {
   std::array<double, 3> size{4 * um, 2 * um, 1 * um}, error{};
   double ours = 0;
   for (std::size_t r = 0; r < 3; ++r) {
-    Simulation simulation(slab(Fill::hexes, size[r]));
+    Simulation simulation(slab(Filling::hexes, size[r]));
     const Scene& scene = simulation.scene();
     const auto x = host_copy(scene.hexes.position);
     const auto C = host_copy(scene.hexes.heat_capacity);

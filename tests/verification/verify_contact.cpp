@@ -10,8 +10,8 @@ namespace {
 Deck on_a_wall(const BodyDeck& body) {
   Deck deck = default_deck();
   deck.bodies = {body};
-  ToolDeck wall;
-  wall.kind = "wall", wall.normal = {0, 0, 1};
+  ToolDeck wall(ToolKind::wall);
+  wall.normal = {0, 0, 1};
   deck.tool = wall;
   return deck;
 }
@@ -86,7 +86,7 @@ void put_weight(const Scene& scene, double height) {
 // gap, as far as the step allows it.
 double stiffness_per_mass(const Deck& deck, const Simulation& simulation) {
   const double limit = deck.contact.stiffness / (simulation.dt() * simulation.dt());
-  if (deck.bodies[0].fill != "particles") return limit;
+  if (deck.bodies[0].fill != Fill::particles) return limit;
   const MaterialDeck& m = deck.materials[0];
   const double nu = m.poissons_ratio, a = *deck.bodies[0].spacing;
   const double M = m.youngs_modulus.value * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
@@ -134,7 +134,7 @@ Slide slide(const std::string& fill, bool wall_moves) {
     }
     before = v, last = simulation.time();
   });
-  s.friction_work = simulation.sample().frictional;
+  s.friction_work = simulation.take_sample().frictional;
   for (const MaterialPoints& points : {scene.particles.points, scene.hexes.points}) {
     const auto m = host_copy(points.mass), T = host_copy(points.temperature);
     for (int i = 0; i < points.count; ++i)

@@ -15,13 +15,13 @@ double stored_energy(const std::string& fill, int layers) {
   Deck deck = shipped_defaults();
   deck.materials = {elastic_material(density, E, 0)};
   deck.bodies = {block("bar", fill, {0, 0, 0}, {length, length, length}, length / layers)};
-  deck.bodies[0].faces = {{"z_min", "fixed", {}}, {"z_max", "velocity", {0, 0, speed}}};
+  deck.bodies[0].faces = {{"z_min", FaceKind::fixed, {}}, {"z_max", FaceKind::velocity, {0, 0, speed}}};
   Simulation simulation(deck);
   simulation.start();
   run_until(simulation, end_time, [] {});
   simulation.check();
   const double strain = speed * simulation.time() / length;
-  return simulation.sample().elastic / (0.5 * E * strain * strain * length * length * length);
+  return simulation.take_sample().elastic / (0.5 * E * strain * strain * length * length * length);
 }
 
 // The strain of 0.5 % is logarithmic where it is summed, and waves run on top of it: 1 % of the energy. Of a

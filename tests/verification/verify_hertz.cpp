@@ -61,9 +61,10 @@ Deck layer(const std::string& fill, int cells, const std::string& file) {
   Deck deck = default_deck();
   deck.materials[0].youngs_modulus = E, deck.materials[0].poissons_ratio = nu;
   deck.bodies = {block("layer", fill, {0, 0, -thickness}, {width, width, thickness}, a / cells)};
-  deck.bodies[0].faces = {{"x_min", "symmetric", {}}, {"y_min", "symmetric", {}}, {"z_min", "fixed", {}}};
-  deck.tool = ToolDeck{};
-  deck.tool->kind = "stl", deck.tool->file = file, deck.tool->file_scale = 1;
+  deck.bodies[0].faces = {
+      {"x_min", FaceKind::symmetric, {}}, {"y_min", FaceKind::symmetric, {}}, {"z_min", FaceKind::fixed, {}}};
+  deck.tool = ToolDeck(ToolKind::stl);
+  deck.tool->file = file, deck.tool->file_scale = 1;
   const double c = std::sqrt(E / deck.materials[0].density);
   deck.tool->velocity = {0, 0, -depth / (30 * thickness / c)};
   deck.output.force_scale = 4;
@@ -92,7 +93,7 @@ Press press(const Deck& deck) {
   double half = 0;
   advance(simulation, depth / speed, [&] {
     const double t = simulation.time();
-    p.force.push_back(simulation.sample().force[2]);
+    p.force.push_back(simulation.take_sample().force[2]);
     p.tool.push_back(speed * 0.5 * (t + half));
     half = t;
     p.surface.push_back(sunk(simulation.scene(), *deck.bodies[0].spacing));

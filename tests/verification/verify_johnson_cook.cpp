@@ -145,19 +145,20 @@ namespace {
 Deck one_hex(Mode mode, double edge, double rate) {
   Deck deck = empty_deck();
   MaterialDeck& m = deck.materials[0];
-  m.law = "johnson_cook", m.taylor_quinney = 0.9, m.specific_heat = 526.3;
+  m.law = Law::johnson_cook, m.taylor_quinney = 0.9, m.specific_heat = 526.3;
   m.A = 862e6, m.B = 331e6, m.n = 0.34, m.C = 0.012, m.m = 0.8;
   m.reference_rate = 1, m.reference_temperature = 298.15, m.melt_temperature = 1878;
   deck.bodies = {block("cube", "hexes", {0, 0, 0}, {edge, edge, edge}, edge)};
   BodyDeck& cube = deck.bodies[0];
   cube.temperature = 298.15;
   if (mode == Mode::shear)
-    cube.faces = {{"y_min", "fixed", {}}, {"y_max", "velocity", {std::sqrt(3.0) * rate * edge, 0, 0}}};
+    cube.faces = {{"y_min", FaceKind::fixed, {}},
+                  {"y_max", FaceKind::velocity, {std::sqrt(3.0) * rate * edge, 0, 0}}};
   else
-    cube.faces = {{"x_min", "symmetric", {}},
-                  {"y_min", "symmetric", {}},
-                  {"z_min", "symmetric", {}},
-                  {"x_max", "velocity", {rate * edge, 0, 0}}};
+    cube.faces = {{"x_min", FaceKind::symmetric, {}},
+                  {"y_min", FaceKind::symmetric, {}},
+                  {"z_min", FaceKind::symmetric, {}},
+                  {"x_max", FaceKind::velocity, {rate * edge, 0, 0}}};
   deck.run.courant = 0.5;
   return deck;
 }

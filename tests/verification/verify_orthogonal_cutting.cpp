@@ -40,7 +40,7 @@ Cut run(double speed, double nominal, double friction, double offset) {
   deck.tool->position[1] -= offset;
   Simulation simulation(deck);
   simulation.start();
-  simulation.sample();
+  simulation.take_sample();
   Cut mean;
   double weight = 0, last = 0, external = 0;
   const double end = cut / speed;
@@ -48,7 +48,7 @@ Cut run(double speed, double nominal, double friction, double offset) {
     simulation.step();
     if (simulation.steps_to_check() > 0) continue;
     simulation.check();
-    const HistorySample s = simulation.sample();
+    const HistorySample s = simulation.take_sample();
     mean.residual = std::max(mean.residual, std::abs(s.residual));
     external = s.external;
     if (s.time > 0.5 * end) {

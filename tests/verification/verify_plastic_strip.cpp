@@ -26,11 +26,11 @@ Pulled run(const Pull& pull, const std::string& fill, bool shifting) {
   simulation.start();
   Pulled p;
   advance(simulation, *deck.run.end_time, [&] {
-    const HistorySample s = simulation.sample();
+    const HistorySample s = simulation.take_sample();
     p.residual = std::max(p.residual, std::abs(s.residual));
     early.look(s.time, s.external), late.look(s.time, s.external);
   });
-  const HistorySample s = simulation.sample();
+  const HistorySample s = simulation.take_sample();
   p.early = early.stress(), p.exact_early = early.exact(deck.materials[0], fill);
   p.late = late.stress(), p.exact_late = late.exact(deck.materials[0], fill);
   p.residual /= s.external, p.shifting = s.shifting / s.external;

@@ -23,12 +23,12 @@ Deck plate(const Deck& method, const std::string& fill, int cells, double face_s
   Deck deck = method;
   deck.materials = {elastic_material(density, E, nu)};
   MaterialDeck& m = deck.materials[0];
-  m.law = "linear_hardening", m.yield_stress = yield, m.hardening_modulus = 0, m.taylor_quinney = 0;
+  m.law = Law::linear_hardening, m.yield_stress = yield, m.hardening_modulus = 0, m.taylor_quinney = 0;
   const bool particles = fill == "particles";
   const double spacing = length / cells, side = particles ? 3 * spacing : spacing;
   deck.bodies = {block("plate", fill, {0, 0, 0}, {side, side, length}, spacing)};
   hold(deck.bodies[0], particles ? "periodic" : "symmetric", {"x_min", "x_max", "y_min", "y_max"});
-  deck.bodies[0].faces.push_back({"z_min", "velocity", {0, 0, face_speed}});
+  deck.bodies[0].faces.push_back({"z_min", FaceKind::velocity, {0, 0, face_speed}});
   return deck;
 }
 

@@ -25,7 +25,7 @@ Bounce bounce(const Deck& deck, double end, double spacing) {
   const Scene& scene = simulation.scene();
   simulation.start();
   Bounce b;
-  const bool particles = scene.particles.count > 0, plane = deck.bodies[0].shape == "ring";
+  const bool particles = scene.particles.count > 0, plane = deck.bodies[0].shape == BodyShape::ring;
   const Bonds bonds(scene, particles ? spacing : 0, plane);
   double last = 0, before = -1;
   advance(simulation, end, [&] {
@@ -45,7 +45,7 @@ Bounce bounce(const Deck& deck, double end, double spacing) {
     b.history.x.push_back(1e3 * t), b.history.y.push_back(b.velocity * speed);
   });
   if (particles) b.parts = count_parts(scene.particles, 1.6 * spacing);
-  b.residual = simulation.sample().residual / simulation.initial_kinetic();
+  b.residual = simulation.take_sample().residual / simulation.initial_kinetic();
   std::printf("velocity %.4f, turns at %.4f ms, parts %d, residual %.2e, steps %ld\n", b.velocity,
               1e3 * b.turn, b.parts, b.residual, simulation.step_count());
   return b;
@@ -139,7 +139,7 @@ TEST(Rings, ReboundInTheInitialFrame) {
   const Bounce reference = bounce(against_wall(ring_of("hexes", 6)), ring_time, 0);
   for (const double stiffness : {0.0, 1.0}) {
     Deck deck = against_wall(ring_of("particles", 4));
-    deck.particles.kernel_frame = "initial", deck.particles.hourglass_stiffness = stiffness;
+    deck.particles.kernel_frame = KernelFrame::initial, deck.particles.hourglass_stiffness = stiffness;
     const Bounce particles = bounce(deck, ring_time, 0.01 / 4);
     report_bounce({"4 rubber ring on a wall, particles, total Lagrangian",
                    std::string("4 across, 0.059 c0") + (stiffness > 0 ? ", hourglass stiffness 1" : ""),

@@ -9,9 +9,9 @@ using namespace swarf::test;
 
 namespace {
 
-enum class Fill { particles, hexes, hybrid };
-const char* name_of(Fill fill) {
-  return fill == Fill::particles ? "particles" : fill == Fill::hexes ? "hexes" : "hybrid";
+enum class Filling { particles, hexes, hybrid };
+const char* name_of(Filling fill) {
+  return fill == Filling::particles ? "particles" : fill == Filling::hexes ? "hexes" : "hybrid";
 }
 
 // Rodrigues' formula; axis a unit vector.
@@ -27,14 +27,14 @@ Tensor3 rotation_about(const Vector3& axis, double angle) {
 constexpr int turn_steps = 360;
 const Symmetric3 stress_at_start{9e8, -4e8, 2e8, 3e8, -5e8, 6e8};
 
-Deck block_under_stress(Fill fill) {
+Deck block_under_stress(Filling fill) {
   Deck deck = default_deck();
   const double a = 8 * um; // eight spacings
   deck.bodies.clear();
-  if (fill == Fill::particles)
+  if (fill == Filling::particles)
     deck.bodies = {block("zone", "particles", {-a / 2, -a / 2, -a / 2}, {a, a, a}, um)};
-  if (fill == Fill::hexes) deck.bodies = {block("bulk", "hexes", {-a / 2, -a / 2, -a / 2}, {a, a, a}, um)};
-  if (fill == Fill::hybrid) {
+  if (fill == Filling::hexes) deck.bodies = {block("bulk", "hexes", {-a / 2, -a / 2, -a / 2}, {a, a, a}, um)};
+  if (fill == Filling::hybrid) {
     deck.bodies = {block("zone", "particles", {-a / 2, -a / 2, 0}, {a, a, a / 2}, um),
                    block("bulk", "hexes", {-a / 2, -a / 2, -a / 2}, {a, a, a / 2}, 2 * um)};
     deck.bodies[0].tie = "bulk";
@@ -122,11 +122,11 @@ constexpr double round_off = 360 * 100 * (sizeof(Real) == 8 ? 2.2e-16 : 1.2e-7);
 
 TEST(Rotation, CarriesStressRound) {
   for (const std::string method : {"", "total Lagrangian"})
-    for (const Fill fill : {Fill::particles, Fill::hexes, Fill::hybrid}) {
+    for (const Filling fill : {Filling::particles, Filling::hexes, Filling::hybrid}) {
       const bool initial = method == "total Lagrangian";
-      if (initial && fill == Fill::hexes) continue;
+      if (initial && fill == Filling::hexes) continue;
       Deck deck = block_under_stress(fill);
-      if (initial) deck.particles.kernel_frame = "initial";
+      if (initial) deck.particles.kernel_frame = KernelFrame::initial;
       const std::string name = std::string("2 stressed block turned 360 deg, ") + name_of(fill);
       const std::string parameters =
           "8 x 8 x 8 cells, 1 deg steps about (1, 2, 3)" + (method.empty() ? "" : ", " + method);

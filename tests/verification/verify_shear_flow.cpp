@@ -13,7 +13,7 @@ TEST(ShearFlow, GivesTheHourglassForcesNothing) {
   start_evenly(simulation.scene(), layer);
   simulation.start();
   run_until(simulation, layer.end(), [] {});
-  const HistorySample s = simulation.sample();
+  const HistorySample s = simulation.take_sample();
   report(
       {"5 shear between plates, particles", "work of viscosity and hourglass forces / external work",
        "Ti-6Al-4V, isothermal, shear 2 under a pressure that rises to 1.7 GPa, 8 x 12 x 4 particles, as the "
@@ -43,10 +43,10 @@ void shear_far(bool order_at_start, const Faults& fault) {
   double residual = 0;
   advance(simulation, layer.end(), [&] {
     middle.look(simulation.scene(), simulation.time());
-    residual = std::max(residual, std::abs(simulation.sample().residual));
+    residual = std::max(residual, std::abs(simulation.take_sample().residual));
   });
   middle.finish(simulation.scene());
-  const HistorySample s = simulation.sample();
+  const HistorySample s = simulation.take_sample();
   const EvenOrder now = order(simulation.scene(), layer);
   const std::string name =
       std::string("5 shear to 10 between plates, particles") + (order_at_start ? "" : " out of order");

@@ -49,15 +49,15 @@ Deck deck_of(const Slide& s, const TemporaryFolder& folder) {
   deck.bodies = {block("work", "hexes", {left, -down, 0}, {along, down, side}, dx)};
   for (BodyDeck& body : deck.bodies) {
     body.temperature = start;
-    for (const char* face : {"z_min", "z_max"}) body.faces.push_back({face, "periodic", {}});
+    for (const char* face : {"z_min", "z_max"}) body.faces.push_back({face, FaceKind::periodic, {}});
   }
-  ToolDeck tool;
-  tool.kind = "stl", tool.file = (folder / "slider.stl").string(), tool.file_scale = 1;
+  ToolDeck tool(ToolKind::stl);
+  tool.file = (folder / "slider.stl").string(), tool.file_scale = 1;
   write_stl(slider(side, 10 * half), tool.file);
   tool.position = {0, -0.0005 * dx, 0}, tool.velocity = {s.speed(), 0, 0}, tool.temperature = start;
   if (s.conducts) {
-    MaterialDeck carbide{};
-    carbide.name = "carbide", carbide.law = "rigid";
+    MaterialDeck carbide(Law::rigid);
+    carbide.name = "carbide";
     carbide.density = rho_tool, carbide.specific_heat = c_tool, carbide.conductivity = k_tool;
     deck.materials.push_back(carbide);
     tool.material = "carbide";
@@ -83,7 +83,7 @@ Outcome run(const Slide& s) {
   simulation.start();
   run_until(simulation, s.time() * (1 - 1e-9), [] {});
   simulation.check();
-  const HistorySample sample = simulation.sample();
+  const HistorySample sample = simulation.take_sample();
   const Scene& scene = simulation.scene();
   const double side = s.spacing();
   Outcome o{sample.time,

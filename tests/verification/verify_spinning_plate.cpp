@@ -34,7 +34,7 @@ Spin spin(const Deck& deck, double end) {
     s.extent.x.push_back(simulation.time()), s.extent.y.push_back(std::sqrt(inertia() / first_inertia));
   });
   s.angular = double(angular_momentum(scene).z) / first - 1;
-  s.residual = simulation.sample().residual / simulation.initial_kinetic();
+  s.residual = simulation.take_sample().residual / simulation.initial_kinetic();
   if (scene.particles.count > 0) s.parts = count_parts(scene.particles, 1.6 * *deck.bodies[0].spacing);
   for (std::size_t k = 0; k < s.extent.x.size(); ++k) {
     s.largest = std::max(s.largest, s.extent.y[k] - 1);

@@ -61,7 +61,7 @@ Pulled pull(const std::string& fill, double strain, double seed, const Stabilise
             const std::string& frame = "current") {
   const double speed = 0.005 * wave;
   Deck deck = strip(fill, strain > 0 ? speed : 0);
-  stabiliser.apply(deck), deck.particles.kernel_frame = frame;
+  stabiliser.apply(deck), deck.particles.kernel_frame = value_of_word<KernelFrame>(frame);
   Simulation simulation(deck);
   const Scene& scene = simulation.scene();
   const double rate = strain > 0 ? speed / (along * a / 2) : 0;

@@ -80,6 +80,8 @@ void compare_all(const std::vector<const char*>& fills, double spacing, const st
 
 } // namespace
 
-TEST(TaylorCopper, CoarseOverTime) { compare_all({"hexes", "particles"}, 6.4e-3 / 12, "taylor_copper_coarse"); }
+TEST(TaylorCopper, CoarseOverTime) {
+  compare_all({"hexes", "particles"}, 6.4e-3 / 12, "taylor_copper_coarse");
+}
 TEST(TaylorCopperLong, Particles) { compare_all({"particles"}, 0.4e-3, "taylor_copper_particles"); }
 TEST(TaylorCopperLong, Hexes) { compare_all({"hexes"}, 0.4e-3, "taylor_copper_hexes"); }

@@ -16,7 +16,7 @@ constexpr Shot shots[] = {{130, 19.56, 9.91}, {146, 18.69, 10.67}, {190, 16.21, 
 
 // Johnson & Cook's constants come from tension and torsion, at strains below 1 and rates below 500 1/s.
 MaterialDeck original(MaterialDeck m) {
-  m.law = "johnson_cook";
+  m.law = Law::johnson_cook;
   m.density = 8960, m.specific_heat = 383;
   m.youngs_modulus = 124e9, m.poissons_ratio = 0.34; // handbook
   m.taylor_quinney = 0.9;                            // assumption

@@ -26,7 +26,7 @@ Deck deck_of(const Bar& bar) {
   deck.materials = {elastic_material(4430, E, nu)};
   deck.materials[0].thermal_expansion = alpha;
   if (bar.softens) deck.materials[0].youngs_modulus.points = {{cold, E}, {cold + rise, 0.7 * E}};
-  deck.particles.kernel_frame = bar.frame;
+  deck.particles.kernel_frame = value_of_word<KernelFrame>(bar.frame);
   if (bar.frame == "initial") deck.particles.pressure_diffusion = 0;
   const bool hybrid = bar.fill == "hybrid";
   deck.bodies = {block("bar", hybrid ? "particles" : bar.fill, {0, 0, 0},

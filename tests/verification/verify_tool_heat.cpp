@@ -44,17 +44,18 @@ struct Meeting {
 Deck meet(const Meeting& m, const TemporaryFolder& folder) {
   Deck deck = empty_deck();
   deck.materials[0].conductivity = k;
-  MaterialDeck carbide{};
-  carbide.name = "carbide", carbide.law = "rigid";
+  MaterialDeck carbide(Law::rigid);
+  carbide.name = "carbide";
   carbide.density = rho_tool, carbide.specific_heat = c_tool, carbide.conductivity = k_tool;
   deck.materials.push_back(carbide);
   const double side = 4 * m.spacing;
   BodyDeck work = block("work", m.fill, {0, 0, 0}, {reach, side, side}, m.spacing);
   work.temperature = m.slides ? cold : hot;
-  for (const char* face : {"y_min", "y_max", "z_min", "z_max"}) work.faces.push_back({face, "periodic", {}});
+  for (const char* face : {"y_min", "y_max", "z_min", "z_max"})
+    work.faces.push_back({face, FaceKind::periodic, {}});
   deck.bodies = {work};
-  ToolDeck tool;
-  tool.kind = "stl", tool.file = (folder / "bar.stl").string(), tool.file_scale = 1;
+  ToolDeck tool(ToolKind::stl);
+  tool.file = (folder / "bar.stl").string(), tool.file_scale = 1;
   write_stl(bar(side, 0.02 * m.spacing), tool.file);
   tool.position = {0.0005 * m.spacing, 0, 0}, tool.velocity = {0, 0, m.slides ? 1.0 : 0};
   tool.material = "carbide", tool.temperature = cold;
@@ -83,7 +84,7 @@ Outcome run(const Meeting& m) {
     if (simulation.steps_to_check() <= 0) simulation.check();
   }
   simulation.check(); // heats and works of one moment
-  const HistorySample s = simulation.sample();
+  const HistorySample s = simulation.take_sample();
   const Scene& scene = simulation.scene();
   const double area = 16 * m.spacing * m.spacing;
   const bool particles = m.fill == "particles";
@@ -227,5 +228,5 @@ TEST(VerifyToolHeat, IdlesAsASlabBetweenTwoRuns) {
   EXPECT_LT(ours, 0.7 * (left.temperature[0] - cold)) << "it has cooled";
   report({name, "rise of the surface cell after 20 us of idling", "spacing 2 um", slab, "K",
           "Carslaw & Jaeger 1959, ch. 3", ours, relative_error(ours, slab), 0.02});
-  EXPECT_EQ(after.sample().tool_heat, 0) << "the books begin after it";
+  EXPECT_EQ(after.take_sample().tool_heat, 0) << "the books begin after it";
 }

@@ -1,6 +1,6 @@
-#include "src/app/child_process.hpp"
-#include "src/app/signals.hpp"
+#include "src/run/child_process.hpp"
 #include "src/files/results.hpp"
+#include "src/run/signals.hpp"
 #include <array>
 #include <cerrno>
 #include <cstring>

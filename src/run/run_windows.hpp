@@ -1,6 +1,6 @@
 // Windows of a pass, each an ordinary run of its own deck in a process of its own.
 #pragma once
-#include "src/app/run.hpp"
+#include "src/run/run.hpp"
 
 namespace swarf {
 

@@ -1,4 +1,4 @@
-#include "src/app/progress.hpp"
+#include "src/run/progress.hpp"
 #include "src/files/say.hpp"
 #include <cmath>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // The files of a run and when each is due. Frames and checkpoints fall on the next check after their time.
 #pragma once
-#include "src/app/run_watch.hpp"
 #include "src/output/frame.hpp"
 #include "src/output/write_vtk.hpp"
+#include "src/run/run_watch.hpp"
 
 namespace swarf {
 

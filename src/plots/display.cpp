@@ -1,4 +1,4 @@
-#include "src/pictures/display.hpp"
+#include "src/plots/display.hpp"
 
 #include <dlfcn.h>
 #include <fcntl.h>

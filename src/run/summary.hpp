@@ -1,7 +1,7 @@
 // What a run comes to: summary.json and the closing lines on the terminal.
 #pragma once
-#include "src/app/recorder.hpp"
-#include "src/app/run.hpp"
+#include "src/run/recorder.hpp"
+#include "src/run/run.hpp"
 #include "src/simulation/simulation.hpp"
 
 namespace swarf {

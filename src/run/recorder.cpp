@@ -1,4 +1,4 @@
-#include "src/app/recorder.hpp"
+#include "src/run/recorder.hpp"
 #include "src/output/restart_deck.hpp"
 #include "src/output/write_hdf5.hpp"
 #include "src/tool/flat_facets.hpp"
@@ -28,12 +28,12 @@ double Recorder::next_after(double time, double interval) const {
 // The folder has all that plots, pictures and restarts need: it may be moved, the deck and its STL may go.
 void Recorder::keep_deck() const {
   Deck kept = deck;
-  if (kept.tool && kept.tool->kind == "stl") kept.tool->file = folder.tool().filename().string();
+  if (kept.tool && kept.tool->kind == ToolKind::stl) kept.tool->file = folder.tool().filename().string();
   write_file(folder.deck(), resolved_deck(kept));
 }
 
 void Recorder::keep_tool() const {
-  if (deck.tool && deck.tool->kind == "stl")
+  if (deck.tool && deck.tool->kind == ToolKind::stl)
     write_file(folder.tool(), read_stl_bytes(deck.tool->file)); // to the last bit, in the file's own unit
   else if (deck.tool)
     write_stl(make_tool_surface(*deck.tool, ""), folder.tool().string());
@@ -45,13 +45,13 @@ void Recorder::begin() {
   history = std::make_unique<HistoryFile>(folder.history(), teeth); // before start(), which may find a fault
   frames = std::make_unique<FrameSeries>(folder);
   simulation.start();
-  record(simulation.sample());
+  record(simulation.take_sample());
 }
 
 void Recorder::check_deck_of(const CheckpointReader& in) const {
   const std::string now = restart_text(deck, simulation.scene());
   if (in.deck() == now) return;
-  std::vector<std::string> changes = list_text_changes(in.deck(), now, true);
+  std::vector<std::string> changes = list_restart_changes(in.deck(), now);
   if (changes.empty()) changes = {"the order of its sections"};
   const bool is_end = changes.size() == 1 && changes[0].find("end_") != std::string::npos;
   throw ResultsError(

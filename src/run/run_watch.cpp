@@ -1,4 +1,4 @@
-#include "src/app/run_watch.hpp"
+#include "src/run/run_watch.hpp"
 #include "src/files/say.hpp"
 #include "src/output/write_hdf5.hpp"
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "src/files/results.hpp"
 #include "src/files/say.hpp"
-#include "src/pictures/chart.hpp"
-#include "src/pictures/display.hpp"
-#include "src/pictures/pictures.hpp"
+#include "src/plots/chart.hpp"
+#include "src/plots/display.hpp"
+#include "src/plots/plot.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <vtkAxis.h>

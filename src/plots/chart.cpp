@@ -1,5 +1,5 @@
-#include "src/pictures/chart.hpp"
-#include "src/pictures/png.hpp"
+#include "src/plots/chart.hpp"
+#include "src/plots/png.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

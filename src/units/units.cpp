@@ -1,4 +1,4 @@
-#include "src/deck/units.hpp"
+#include "src/units/units.hpp"
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -208,8 +208,9 @@ std::variant<double, UnitError> parse_quantity(const std::string& text, Dimensio
   return value;
 }
 
-std::string format_quantity(double value, Dimension dimension) {
+std::string format_quantity(double value, Dimension dimension, int digits) {
   std::string number = fmt::format("{}", value);
+  if (digits > 0 && int(number.size()) > digits + 1) number = fmt::format("{:.{}g}", value, digits);
   const std::string& unit = describe(dimension).si;
   if (!unit.empty()) return fmt::format("{} {}", number, unit);
   if (number.find_first_of(".en") == std::string::npos) number += ".0"; // else TOML reads -0 as 0

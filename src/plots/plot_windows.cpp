@@ -1,14 +1,18 @@
-#include "src/pictures/chart.hpp"
-#include "src/pictures/display.hpp"
-#include "src/pictures/plot.hpp"
+#include "src/plots/chart.hpp"
+#include "src/plots/display.hpp"
+#include "src/plots/plot.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
 namespace swarf {
 namespace {
 
-// A bar of one standard error, the window's own or that of the scatter between them, whichever is more.
-void add_bar(Chart& chart, double x, double y, double error, const Curve& style, double half_width) {
+// Of one standard error, the window's own or that of the scatter between them, whichever is more.
+struct Bar {
+  double x, y, error, half_width;
+};
+void add_bar(Chart& chart, const Bar& bar, const Curve& style) {
+  const auto [x, y, error, half_width] = bar;
   if (!(error > 0)) return; // NaN: unknown
   const auto line = [&](std::vector<double> xs, std::vector<double> ys) {
     chart.add(xs, {"", std::move(ys), style.colour, 0.5f * style.width});
@@ -47,8 +51,8 @@ void plot_windows(const PassFolder& folder, const std::vector<LabelledForce>& pu
     const double scatter = scatter_between(angle, points.values);
     for (std::size_t k = 0; k < angle.size(); ++k) {
       const double own = table.at(errors[c])[k];
-      add_bar(chart, angle[k], points.values[k], scatter > own ? scatter : own, points,
-              0.006 * (right - left));
+      add_bar(chart, {angle[k], points.values[k], scatter > own ? scatter : own, 0.006 * (right - left)},
+              points);
     }
   }
   std::vector<double> model_at;

@@ -1,7 +1,8 @@
 // Curves of a run as PNG, from its history.
 #pragma once
 #include "src/deck/deck.hpp"
-#include "src/pictures/chart.hpp"
+#include "src/plots/chart.hpp"
+#include "src/surface/surface.hpp"
 #include "src/windows/join_windows.hpp"
 
 namespace swarf {
@@ -32,5 +33,8 @@ bool plot_heat(const ResultsFolder& results, const std::filesystem::path& png);
 // Force over immersion from windows.csv, with bars of one standard error, own or of the scatter between
 // windows. Needs a Display. Throws ResultsError.
 void plot_windows(const PassFolder& folder, const std::vector<LabelledForce>& published);
+
+// surface_stress.png, surface_strain.png, surface_temperature.png; without a display it says so.
+void draw_surface(const std::string& results, const SurfaceReport& report);
 
 } // namespace swarf

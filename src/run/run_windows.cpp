@@ -1,11 +1,11 @@
-#include "src/app/run_windows.hpp"
+#include "src/run/run_windows.hpp"
 #include "src/accuracy/accuracy.hpp"
-#include "src/app/child_process.hpp"
 #include "src/files/folder_lock.hpp"
 #include "src/files/say.hpp"
 #include "src/mechanistic/model.hpp"
 #include "src/pictures/pictures.hpp"
-#include "src/pictures/plot.hpp"
+#include "src/plots/plot.hpp"
+#include "src/run/child_process.hpp"
 #include "src/windows/join_windows.hpp"
 #include <chrono>
 #include <cmath>

@@ -46,6 +46,7 @@ struct UnitError {
 std::variant<double, UnitError> parse_quantity(const std::string& text, Dimension dimension);
 
 // Shortest text that reads back as the same double, with the SI unit of the dimension; bare if it has none.
-std::string format_quantity(double value, Dimension dimension);
+std::string format_quantity(double value, Dimension dimension,
+                            int digits = 0); // 0: as many as give the number back
 
 } // namespace swarf

@@ -1,8 +1,8 @@
-#include "src/pictures/plot.hpp"
+#include "src/plots/plot.hpp"
 
 #include "src/output/history.hpp"
-#include "src/pictures/chart.hpp"
-#include "src/pictures/display.hpp"
+#include "src/plots/chart.hpp"
+#include "src/plots/display.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,5 @@
-#include "src/app/run.hpp"
+#include "src/run/run.hpp"
 #include "src/accuracy/accuracy.hpp"
-#include "src/app/progress.hpp"
-#include "src/app/recorder.hpp"
-#include "src/app/signals.hpp"
-#include "src/app/summary.hpp"
 #include "src/check/cost.hpp"
 #include "src/check/scene.hpp"
 #include "src/files/folder_lock.hpp"
@@ -11,6 +7,10 @@
 #include "src/files/say.hpp"
 #include "src/mechanistic/model.hpp"
 #include "src/pictures/pictures.hpp"
+#include "src/run/progress.hpp"
+#include "src/run/recorder.hpp"
+#include "src/run/signals.hpp"
+#include "src/run/summary.hpp"
 #include "src/windows/windows.hpp"
 #include <memory>
 #include <optional>
@@ -19,15 +19,22 @@ namespace swarf {
 namespace {
 
 // The steps, until the end, a signal or --stop-after.
-void go(Simulation& simulation, Recorder& recorder, const RunOptions& options, Progress& progress,
-        const SignalWatch& signals, double end, RunEnding& ending) {
+struct Going { // a run, and what looks at it on the way
+  Simulation& simulation;
+  Recorder& recorder;
+  Progress& progress;
+  const SignalWatch& signals;
+  double end; // s
+};
+void go(const Going& run, const RunOptions& options, RunEnding& ending) {
+  const auto& [simulation, recorder, progress, signals, end] = run;
   while (simulation.time() < end && signals.received() == 0) {
     simulation.cut_step(end);
     simulation.step();
     const bool last = simulation.time() >= end; // is looked at as well: its faults must not pass
     if (simulation.steps_to_check() > 0 && !last) continue;
     simulation.check();
-    const HistorySample sample = simulation.sample();
+    const HistorySample sample = simulation.take_sample();
     recorder.record(sample);
     progress.show(simulation, sample);
     if (options.stop_after > 0 && simulation.step_count() >= options.stop_after) break;
@@ -100,7 +107,7 @@ Deck deck_to_run(const RunOptions& options) {
   Deck deck = read_deck(options.deck, options.resume ? ResultsFolder{where}.tool().string() : "");
   if (options.whole) deck.windows.reset();
   if (options.windows)
-    deck.windows = read_windows_option(*options.windows, deck.windows.value_or(default_windows()));
+    deck.windows = read_windows_option(*options.windows, deck.windows.value_or(WindowsDeck()));
   return apply_accuracy(deck);
 }
 
@@ -124,7 +131,7 @@ int run_deck(const Deck& deck, const RunOptions& options) {
   try {
     options.resume ? recorder.resume() : recorder.begin();
     refuse_endless(deck, simulation);
-    go(simulation, recorder, options, progress, *signals, end, ending);
+    go({simulation, recorder, progress, *signals, end}, options, ending);
   } catch (const SimulationFault& fault) {
     ending = {3, "failed", fault.what()};
     save_rest(recorder, ending, true);

@@ -1,4 +1,4 @@
-#include "src/app/signals.hpp"
+#include "src/run/signals.hpp"
 
 namespace swarf {
 namespace {

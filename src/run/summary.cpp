@@ -1,4 +1,4 @@
-#include "src/app/summary.hpp"
+#include "src/run/summary.hpp"
 #include "src/files/say.hpp"
 #include "src/scene/hex_conversion.hpp"
 #include "src/scene/parts.hpp"
