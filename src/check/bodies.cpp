@@ -145,7 +145,7 @@ class BodyCheck {
 
   // What lets two bodies feel each other that would pass through.
   std::string remedy(const BodyDeck& one, const BodyDeck& other) const {
-    if (one.fill != "particles" || other.fill != "particles")
+    if (one.fill != Fill::particles || other.fill != Fill::particles)
       return deck.contact.between_bodies == BetweenBodies::none
                  ? "Leave contact.between_bodies = \"none\" out"
                  : "Other bodies tie them together";

@@ -57,7 +57,7 @@ TEST(Library, a_material_of_the_same_name_in_the_deck_goes_before) {
   const std::string own = "[material.\"library:ti64-seo\"]\nlaw = \"elastic\"\ndensity = \"1000 kg/m3\"\n"
                           "youngs_modulus = \"1 GPa\"\npoissons_ratio = 0.3\n[[body]]\nname = \"cut zone\"";
   const Deck deck = read_text(edit_deck("[[body]]\nname = \"cut zone\"", own, named("library:ti64-seo")));
-  EXPECT_EQ(find_material(deck, "library:ti64-seo")->law, "elastic");
+  EXPECT_EQ(find_material(deck, "library:ti64-seo")->law, Law::elastic);
 }
 
 TEST(Library, what_it_has_not_is_an_error) {

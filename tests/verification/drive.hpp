@@ -12,7 +12,8 @@ inline Deck shipped_defaults() {
   Deck deck;
   deck.file = "deck.toml", deck.run.end_time = 1;
   MaterialDeck elastic(Law::elastic);
-  elastic.name = "a", elastic.density = 1000, elastic.youngs_modulus = 1e9, elastic.poissons_ratio = 0.3;
+  elastic.name.assign(1, 'a'); // GCC 12 warns of = "a" without a cause
+  elastic.density = 1000, elastic.youngs_modulus = 1e9, elastic.poissons_ratio = 0.3;
   deck.materials = {elastic};
   return deck;
 }
