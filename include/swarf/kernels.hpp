@@ -42,10 +42,9 @@ struct HexMethod {
 // --- neighbours and images
 using ImagePlanes = std::vector<ImagePlane>; // on the host: a launch for each plane
 void wrap_periodic(const Particles&, const ImagePlanes&, const Status&); // back through the partner plane
-void sort_particles(Particles&, const CellGrid& lattice,
-                    const IndexField& apart = {}); // rows [0, count) along a Hilbert curve, group by group
-void make_images(Particles&, Neighbors&, const ImagePlanes&);                    // rows [stored, total)
-void find_neighbors(Neighbors&, const Particles&);                               // clusters and their lists
+void sort_particles(Particles&, const CellGrid& lattice);     // rows [0, count) along a Hilbert curve
+void make_images(Particles&, Neighbors&, const ImagePlanes&); // rows [stored, total)
+void find_neighbors(Neighbors&, const Particles&);            // clusters and their lists
 void update_images(const Particles&, const Neighbors&, const ImagePlanes&);      // position, velocity
 void update_image_state(const Particles&, const Neighbors&, const ImagePlanes&); // what the force sum needs
 

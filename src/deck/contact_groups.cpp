@@ -21,8 +21,7 @@ bool are_all_tied(const Deck& deck) {
 }
 
 bool can_meet(const Deck& deck, const BodyDeck& a, const BodyDeck& b) {
-  const std::string& who = deck.contact.between_bodies;
-  return who == "all" || (who == "hexes" && (a.fill == "hexes" || b.fill == "hexes"));
+  return deck.contact.between_bodies == "hexes" && (a.fill == "hexes" || b.fill == "hexes");
 }
 
 bool can_meet(const Deck& deck) {

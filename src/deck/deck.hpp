@@ -109,7 +109,7 @@ struct ToolDeck {
 struct ContactDeck {
   double friction = 0;
   std::optional<double> shear_limit;       // Pa
-  std::string between_bodies = "hexes";    // hexes | all | none
+  std::string between_bodies = "hexes";    // hexes | none
   double stiffness = 1;                    // at most, penalty / (scaled mass / dt^2)
   std::optional<double> heat_to_workpiece; // share of the friction work, of a tool without a material
   std::optional<double> conductance;       // W/(m2 K), of one with a material; not given: perfect contact

@@ -12,13 +12,11 @@ struct Fills {
   const char *first, *second;
   std::string text() const { return fmt::format("{} on {}", second, first); }
 };
-const Fills all_fills[] = {
-    {"hexes", "hexes"}, {"hexes", "particles"}, {"particles", "hexes"}, {"particles", "particles"}};
+const Fills all_fills[] = {{"hexes", "hexes"}, {"hexes", "particles"}, {"particles", "hexes"}};
 
 Deck between(const Fills& fills, double first_spacing, double second_spacing, const Triple& first,
              const Triple& second, double gap) {
   Deck deck = default_deck();
-  deck.contact.between_bodies = "all";
   deck.bodies = {block("first", fills.first, {0, 0, -first[2]}, first, first_spacing),
                  block("second", fills.second, {0, 0, gap}, second, second_spacing)};
   deck.bodies[1].line = 14;
