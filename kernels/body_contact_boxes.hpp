@@ -25,9 +25,8 @@ SWARF_FN ContactBox box_of_face(const HexMesh& h, int side) {
   return box;
 }
 
-// Half as far again as its surface, for the cloud that another particle of its size sees.
 SWARF_FN ContactBox box_of_particle(const Particles& p, int i) {
-  const Real gap = Real(1.5) * p.contact_gap(i);
+  const Real gap = p.contact_gap(i);
   const Vector3 x = load_vector(p.position, i), out{gap, gap, gap};
   return {x - out, x + out};
 }

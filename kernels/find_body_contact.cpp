@@ -52,7 +52,7 @@ struct IsNear {
   }
   SWARF_FN bool particle(int i) const {
     const ContactBox box = box_of_particle(p, i);
-    for (int row = 0; row < (g.of_particles ? 2 : 1) * g.count; ++row)
+    for (int row = 0; row < g.count; ++row)
       if (meets(box, g.of_body(p.body(i)), row)) return true;
     return false;
   }
@@ -63,7 +63,7 @@ Real room_between(const std::vector<ContactBox>& boxes, const ContactGroups& g) 
   Real least = Kokkos::Experimental::infinity_v<Real>;
   for (int a = 0; a < 2 * g.count; ++a)
     for (int b = 0; b < a; ++b)
-      if (a % g.count != b % g.count && (g.of_particles || b < g.count))
+      if (a % g.count != b % g.count && b < g.count)
         least = Kokkos::min(least, distance_between(boxes[std::size_t(a)], boxes[std::size_t(b)]));
   return Real(0.5) * Kokkos::max(least, g.skin);
 }
@@ -97,10 +97,9 @@ struct Search {
   IndexField group;
   Real reach = 0; // from a box to the centre of one that it meets
   int items = 0, faces = 0;
-  bool of_particles = false;
 
   SWARF_FN bool are_near(int i, int j) const {
-    return group(i) != group(j) && (of_particles || i < faces || j < faces) &&
+    return group(i) != group(j) && (i < faces || j < faces) &&
            do_meet({load_vector(low, i), load_vector(high, i)}, {load_vector(low, j), load_vector(high, j)},
                    grid_skin);
   }
@@ -123,7 +122,7 @@ struct Search {
 
 Search make_search(const BodyContact& c, const HexMesh& h, const Particles& p, const ContactGroups& g) {
   Search s;
-  s.items = c.items, s.faces = c.faces, s.of_particles = g.of_particles, s.grid_skin = g.skin;
+  s.items = c.items, s.faces = c.faces, s.grid_skin = g.skin;
   s.low = VectorField("contact_low", c.items), s.high = VectorField("contact_high", c.items);
   s.group = IndexField("contact_group", c.items);
   const VectorField centre("contact_centre", c.items), low = s.low, high = s.high;
@@ -216,44 +215,6 @@ void keep_memory(BodyContact& c, const BodyContact& before) {
       });
 }
 
-// sum_j (x_i - x_j) (1 - r / R)^2 / R over the particles of the same group within the kernel's support R,
-// over their number: zero inside a lattice.
-void find_outward(BodyContact& c, const Particles& p, const ContactGroups& g) {
-  c.outward = VectorField("contact_outward", g.of_particles ? c.items : 0);
-  if (!g.of_particles || c.items == c.faces) return;
-  Real widest = 0;
-  Kokkos::parallel_reduce(
-      "contact_support", Range(0, p.count),
-      KOKKOS_LAMBDA(int i, Real& most) { most = Kokkos::max(most, Real(1) / p.inverse_support(i)); },
-      Kokkos::Max<Real>(widest));
-  const SeenRows seen{p.listed, p.stored, p.total};
-  const CellGrid grid = cell_grid(p.position, p.total, widest);
-  const KeyedRows rows = sort_rows(p.position, seen, RowKeyOf{grid});
-  const int count = seen.count(), faces = c.faces;
-  const IndexField row = c.row;
-  const VectorField outward = c.outward;
-  Kokkos::parallel_for(
-      "contact_outward", Range(c.faces, c.items), KOKKOS_LAMBDA(int item) {
-        const int i = row(item - faces), own = g.of_body(p.body(i));
-        const Vector3 x = load_vector(p.position, i);
-        const Real R = Real(1) / p.inverse_support(i);
-        const CellIndex first = grid.index(x - Vector3{R, R, R}), last = grid.index(x + Vector3{R, R, R});
-        Vector3 sum{0, 0, 0};
-        int found = 0;
-        for (CellKey k = first.k; k <= last.k; ++k)
-          for (CellKey j = first.j; j <= last.j; ++j)
-            for (int at = lower_bound(rows, count, row_key({first.i, j, k}));
-                 at < count && rows(at).key <= row_key({last.i, j, k}); ++at) {
-              const int other = rows(at).row;
-              const Vector3 d = x - load_vector(p.position, other);
-              const Real left = Real(1) - norm(d) / R;
-              if (other == i || left <= Real(0) || g.of_body(p.body(other)) != own) continue;
-              sum = sum + (left * left / R) * d, ++found;
-            }
-        store_vector(outward, item, found > 0 ? (Real(1) / Real(found)) * sum : sum);
-      });
-}
-
 } // namespace
 
 void list_body_contact(BodyContact& c, const HexMesh& h, const Particles& p, const ContactGroups& g) {
@@ -261,7 +222,6 @@ void list_body_contact(BodyContact& c, const HexMesh& h, const Particles& p, con
   c.touch = View<Touch* [points_of_face]>("contact_touch", c.items);
   list_corners(c, h);
   if (c.items > 0) list_near(c, make_search(c, h, p, g));
-  find_outward(c, p, g);
   c.node_position = VectorField("contact_node_position", h.nodes);
   c.particle_position = VectorField("contact_particle_position", p.count);
   const VectorField node = c.node_position, particle = c.particle_position;

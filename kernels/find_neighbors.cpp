@@ -4,7 +4,6 @@
 // Two passes, count and fill. No absolute distance anywhere.
 #include "cell_order.hpp"
 #include "swarf/particles/pair.hpp"
-#include <vector>
 
 namespace swarf {
 namespace {
@@ -15,7 +14,6 @@ struct Search {
   VectorField position; // of the sorted rows
   int total = 0;
   Real cutoff = 0;
-  IndexField group; // of the sorted rows; 0 rows: all are one
 };
 
 struct Box {
@@ -45,7 +43,7 @@ constexpr int chunk = 64; // candidates looked at together
 // Of sorted rows begin .. end - 1, at most a chunk: takes those within the cutoff of a lane.
 template <class Take>
 KOKKOS_INLINE_FUNCTION void take_near(const Search& s, const Box& box, const Vector3Of<Pack>& x_i, int begin,
-                                      int end, int group, const Take& take) {
+                                      int end, const Take& take) {
   const Real cutoff2 = s.cutoff * s.cutoff;
   Real distance2[chunk];
   int near[chunk], count = 0;
@@ -57,16 +55,15 @@ KOKKOS_INLINE_FUNCTION void take_near(const Search& s, const Box& box, const Vec
     count += distance2[k] < cutoff2;
   }
   for (int k = 0; k < count; ++k) {
-    if (s.group.extent(0) > 0 && s.group(near[k]) != group) continue;
     const auto x_ij = x_i - broadcast_vector(s.position, near[k]);
     if (any_of(dot(x_ij, x_ij) < Pack(cutoff2))) take(s.rows(near[k]).row);
   }
 }
 
-// Calls take(row) for every row of the group within the cutoff of a lane.
+// Calls take(row) for every row within the cutoff of a lane.
 template <class Take>
 KOKKOS_INLINE_FUNCTION void for_each_near(const Search& s, const VectorField& position, const Lanes& lanes,
-                                          int group, const Take& take) {
+                                          const Take& take) {
   const Box box = box_of(position, lanes);
   const Vector3 reach{s.cutoff, s.cutoff, s.cutoff};
   const CellIndex low = s.grid.index(box.low - reach), high = s.grid.index(box.high + reach);
@@ -78,67 +75,35 @@ KOKKOS_INLINE_FUNCTION void for_each_near(const Search& s, const VectorField& po
       while (begin < s.total && s.rows(begin).key <= last) {
         int end = begin;
         while (end < s.total && end < begin + chunk && s.rows(end).key <= last) ++end;
-        take_near(s, box, x_i, begin, end, group, take);
+        take_near(s, box, x_i, begin, end, take);
         begin = end;
       }
     }
 }
 
-// Where in [begin, end) rows of another group begin, and begin itself: few, for the rows are in order.
-std::vector<int> starts_of_groups(const Neighbors& n, const Particles& p, int begin, int end) {
-  if (n.apart.extent(0) == 0 || begin == end) return {begin};
-  const IndexField place("group_place", end - begin), body = p.body, apart = n.apart;
-  Kokkos::parallel_for(
-      "starts_of_groups", Range(begin, end), KOKKOS_LAMBDA(int i) {
-        place(i - begin) = i == begin || apart(body(i)) != apart(body(i - 1)) ? 1 : 0;
-      });
-  const IndexField start("group_start", number_taken(place));
-  Kokkos::parallel_for(
-      "starts_of_groups", Range(begin, end), KOKKOS_LAMBDA(int i) {
-        if (place(i - begin) >= 0) start(place(i - begin)) = i;
-      });
-  const auto starts = host_copy(start);
-  return {starts.data(), starts.data() + starts.extent(0)};
-}
-
-// Of rows [begin, end), after the first `clusters`; returns how many there are then. No cluster has two
-// groups.
-int add_clusters(Neighbors& n, const Particles& p, int begin, int end, int clusters) {
-  const int W = pack_width;
-  std::vector<int> starts = starts_of_groups(n, p, begin, end);
-  starts.push_back(end);
-  for (std::size_t g = 0; g + 1 < starts.size(); ++g) {
-    const int from = starts[g], to = starts[g + 1], more = (to - from + W - 1) / W, before = clusters;
-    ensure_rows(n.first, before + more), ensure_rows(n.size, before + more);
-    const IndexField first = n.first, size = n.size;
-    Kokkos::parallel_for(
-        "make_clusters", Range(0, more), KOKKOS_LAMBDA(int c) {
-          first(before + c) = from + c * W;
-          size(before + c) = Kokkos::min(W, to - first(before + c));
-        });
-    clusters += more;
-  }
-  return clusters;
-}
-
 void make_clusters(Neighbors& n, const Particles& p) {
-  n.clusters = add_clusters(n, p, 0, p.count, 0);
-  const int all = add_clusters(n, p, p.count, p.count + p.tied, n.clusters);
-  n.tied_clusters = all - n.clusters;
-  ensure_rows(n.start, all + 1);
+  const int W = pack_width, count = p.count, tied = p.tied;
+  n.clusters = (count + W - 1) / W;
+  n.tied_clusters = (tied + W - 1) / W;
+  const int clusters = n.clusters, all = n.clusters + n.tied_clusters;
+  ensure_rows(n.first, all), ensure_rows(n.size, all), ensure_rows(n.start, all + 1);
+  const IndexField first = n.first, size = n.size;
+  Kokkos::parallel_for(
+      "make_clusters", Range(0, all), KOKKOS_LAMBDA(int c) {
+        const bool of_tied = c >= clusters;
+        first(c) = of_tied ? count + (c - clusters) * W : c * W;
+        size(c) = Kokkos::min(W, (of_tied ? count + tied : count) - first(c));
+      });
 }
 
 // Counts (fill = false) or writes (fill = true) the lists.
-void walk(const Neighbors& n, const Search& s, const Particles& p, bool fill) {
-  const VectorField position = p.position;
-  const IndexField body = p.body, apart = n.apart;
+void walk(const Neighbors& n, const Search& s, const VectorField& position, bool fill) {
   Kokkos::parallel_for(
       "find_neighbors", Range(0, n.clusters + n.tied_clusters), KOKKOS_LAMBDA(int c) {
         const Lanes lanes{n.first(c), n.size(c)};
         long found = 0;
         const long begin = fill ? n.start(c) : 0;
-        const int group = apart.extent(0) > 0 ? apart(body(lanes.first)) : 0;
-        for_each_near(s, position, lanes, group, [&](int row) {
+        for_each_near(s, position, lanes, [&](int row) {
           if (fill) n.neighbor(begin + found) = row;
           ++found;
         });
@@ -150,21 +115,15 @@ void walk(const Neighbors& n, const Search& s, const Particles& p, bool fill) {
       });
 }
 
-Search make_search(const Particles& p, const Neighbors& n) {
-  const Real cutoff = n.cutoff;
+Search make_search(const Particles& p, Real cutoff) {
   const SeenRows seen{p.listed, p.stored, p.total};
-  Search s{cell_grid(p.position, p.total, cutoff), {}, {}, seen.count(), cutoff, {}};
+  Search s{cell_grid(p.position, p.total, cutoff), {}, {}, seen.count(), cutoff};
   s.rows = sort_rows(p.position, seen, RowKeyOf{s.grid});
   s.position = VectorField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "sorted_position"), s.total);
   const VectorField from = p.position;
   Kokkos::parallel_for(
       "sorted_position", Range(0, s.total),
       KOKKOS_LAMBDA(int r) { store_vector(s.position, r, load_vector(from, s.rows(r).row)); });
-  if (n.apart.extent(0) == 0) return s;
-  s.group = IndexField("sorted_group", s.total);
-  const IndexField body = p.body, apart = n.apart;
-  Kokkos::parallel_for(
-      "sorted_group", Range(0, s.total), KOKKOS_LAMBDA(int r) { s.group(r) = apart(body(s.rows(r).row)); });
   return s;
 }
 
@@ -187,15 +146,15 @@ long scan_starts(const Neighbors& n) {
 
 void find_neighbors(Neighbors& n, const Particles& p) {
   make_clusters(n, p);
-  const Search s = make_search(p, n);
-  walk(n, s, p, false);
+  const Search s = make_search(p, n.cutoff);
+  walk(n, s, p.position, false);
   const long total = scan_starts(n);
   if (long(n.neighbor.extent(0)) < total) {
     n.neighbor = IndexField(); // gone before the next: the lists are the largest field
     n.neighbor = IndexField(Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbor"), total + total / 16);
   }
   ensure_rows(n.marks, std::size_t(total / entries_of_word + n.clusters + n.tied_clusters));
-  walk(n, s, p, true);
+  walk(n, s, p.position, true);
   const int rows = p.total;
   if (int(n.build_position.extent(0)) < rows) n.build_position = VectorField("build_position", rows);
   const auto from = p.position, to = n.build_position;

@@ -1,18 +1,16 @@
 // Contact of bodies: the law of the tool (respond_to_contact) between points and what they touch.
 //   points:  four of each face of a hex, sum_a N_a x_a of its nodes; particles, whose surface lies a gap out
-//   others:  faces, x = sum_b w_b x_b of four nodes; particles of another group, a cloud (particle_cloud.hpp)
-//   f on the point, -w_b f on the others' nodes, sum w_b = 1: momentum to round-off; the slip and the rate of
+//   others:  faces, x = sum_b w_b x_b of four nodes
+//   f on the point, -w_b f on the face's nodes, sum w_b = 1: momentum to round-off; the slip and the rate of
 //   the gap are those of the same weights, so that the springs keep the work that is done on them.
-// Both bodies are points and others at once, as of two nets neither need be the finer (balanced contact).
+// Both bodies are points and faces at once, as of two nets neither need be the finer (balanced contact).
 // k dt^2 is a share of the least mass behind the area of the contact: 1/4 between faces, where each pair of
 // nodes is met twice with 2 k each in Gershgorin's sum, 1/2 of a particle on a face, so that no mode is
 // stiffer than 1 / dt^2, as at the tool; a particle's spring is no more than that of the material out to its
-// surface, half of it for each of two. No friction is more than the shear that the material on either side
-// carries. Its heat goes to both sides by halves. The first launch writes touch, friction and what concerns
-// one particle alone; the second gathers what each node and each particle feels. Reads positions, velocities
-// (half a step back), lists; adds to force, friction_work, contact_heat or temperature; writes
-// body_contact_energy.
-#include "particle_cloud.hpp"
+// surface. No friction is more than the shear that the material on either side carries. Its heat goes to both
+// sides by halves. The first launch writes touch and friction, the others gather what each node and each
+// particle feels. Reads positions, velocities (half a step back), lists; adds to force, friction_work,
+// contact_heat or temperature; writes body_contact_energy.
 #include "swarf/hexes/face_point.hpp"
 #include "swarf/kernels.hpp"
 #include "swarf/material/flow_law.hpp"
@@ -32,22 +30,16 @@ struct Point {
   Real stiffest;        // N/m, of the material out to its surface
 };
 
-struct Other { // what is touched, as its weights give it
-  Vector3 v;
-  Real area, mass_per_area, shear_strength;
-};
-
 struct FaceNow {
   Vector3 corner[4];
   Real area, mass_per_area, shear_strength;
 };
 
 struct Found {
-  int other = -1; // a face; or the number of items: a cloud of particles
+  int other = -1; // face
   FacePoint at{};
   Real penetration = 0;
   Vector3 normal{0, 0, 0};
-  Real cloud_weight = 0, cover = 1;
 };
 
 struct Press {
@@ -125,41 +117,16 @@ struct Press {
       const Real distance = over ? height : Kokkos::sqrt(at.squared);
       if (distance >= point.gap || distance < Real(-0.5) * width) continue;
       least = at.squared;
-      best = {f, at, point.gap - distance, over ? at.normal : (Real(1) / distance) * d, 0, 1};
+      best = {f, at, point.gap - distance, over ? at.normal : (Real(1) / distance) * d};
     }
     return best;
   }
 
   SWARF_FN void respond(int item, int q, const Point& point, const Found& found, Touch& touch) const;
-  SWARF_FN Other other_of(int item, const Found& found, Touch& touch) const;
   SWARF_FN void press_point(int item, int q) const;
   SWARF_FN void gather_node(int a) const;
   SWARF_FN void gather_particle(int item) const;
 };
-
-SWARF_FN Other Press::other_of(int item, const Found& found, Touch& touch) const {
-  Other other{{0, 0, 0}, 0, 0, Kokkos::Experimental::infinity_v<Real>};
-  if (found.other < c.faces) {
-    const FaceNow now = face(found.other);
-    for (int b = 0; b < 4; ++b) {
-      touch.weight[b] = found.at.weight[b];
-      other.v = other.v + touch.weight[b] * load_vector(h.velocity, c.node(found.other, b));
-    }
-    other.area = now.area, other.mass_per_area = now.mass_per_area, other.shear_strength = now.shear_strength;
-    return other;
-  }
-  const Cloud cloud{c, p};
-  Real mass = 0;
-  touch.weight[0] = found.cloud_weight;
-  cloud.for_each(item, found.normal, [&](int j, Real weight) {
-    const Real share = weight / found.cloud_weight;
-    other.v = other.v + share * load_vector(p.velocity, j);
-    other.area += share * p.contact_area(j), mass += share * p.points.mass(j);
-    other.shear_strength = Kokkos::min(other.shear_strength, shear_at(p.points, j));
-  });
-  other.mass_per_area = mass / other.area;
-  return other;
-}
 
 SWARF_FN void Press::respond(int item, int q, const Point& point, const Found& found, Touch& touch) const {
   const bool is_face = item < c.faces, touches = found.other >= 0;
@@ -171,16 +138,19 @@ SWARF_FN void Press::respond(int item, int q, const Point& point, const Found& f
       touches ? found.penetration : Real(0), found.normal, {0, 0, 0}, memory, point.shear_strength};
   Real area = point.area, per_area = point.mass / point.area;
   if (touches) {
-    const Other other = other_of(item, found, touch);
-    area = Kokkos::min(area, other.area), per_area = Kokkos::min(per_area, other.mass_per_area);
-    step.shear_strength = Kokkos::min(step.shear_strength, other.shear_strength);
-    step.slip = dt * (point.v - other.v);
+    const FaceNow now = face(found.other);
+    Vector3 v{0, 0, 0};
+    for (int b = 0; b < 4; ++b) {
+      touch.weight[b] = found.at.weight[b];
+      v = v + touch.weight[b] * load_vector(h.velocity, c.node(found.other, b));
+    }
+    area = Kokkos::min(area, now.area), per_area = Kokkos::min(per_area, now.mass_per_area);
+    step.shear_strength = Kokkos::min(step.shear_strength, now.shear_strength);
+    step.slip = dt * (point.v - v);
   }
-  const bool twice = is_face || found.other >= c.faces; // the other finds this one, too
-  const Real share = twice ? Real(0.25) : Real(0.5), stiffest = twice ? Real(0.25) : Real(1);
+  const Real share = is_face ? Real(0.25) : Real(0.5); // a particle has no face that finds the other, too
   const Real stiffness =
-      found.cover * Kokkos::min(contact_stiffness(law, share * mass_factor * area * per_area, dt),
-                                stiffest * point.stiffest);
+      Kokkos::min(contact_stiffness(law, share * mass_factor * area * per_area, dt), point.stiffest);
   const ContactResponse response = respond_to_contact(step, law, stiffness, point.area);
   touch.other = found.other, touch.normal = found.normal, touch.force = response.force;
   touch.energy = response.energy, touch.dissipated = response.dissipated;
@@ -196,17 +166,7 @@ SWARF_FN void Press::press_point(int item, int q) const {
   Touch touch;
   if (!is_face || h.active(c.key(item) / 6) != hex_deleted) {
     const Point point = is_face ? point_of_face(item, q) : point_of_particle(c.row(item - c.faces));
-    Found found = nearest_face(item, point);
-    if (!is_face && c.outward.extent(0) > 0) {
-      const CloudPoint cloud = Cloud{c, p}.below(item);
-      if (cloud.penetration > Kokkos::max(found.penetration, Real(0)))
-        found = {.other = c.items,
-                 .penetration = cloud.penetration,
-                 .normal = cloud.normal,
-                 .cloud_weight = cloud.weight,
-                 .cover = cloud.cover};
-    }
-    respond(item, q, point, found, touch);
+    respond(item, q, point, nearest_face(item, point), touch);
   }
   c.touch(item, q) = touch;
 }
@@ -245,18 +205,8 @@ SWARF_FN void Press::gather_particle(int item) const {
   const Touch& t = c.touch(item, 0);
   p.body_contact_energy(i) = t.energy;
   p.friction_work(i) += t.dissipated;
-  Vector3 f = t.force;
-  Real heat = heat_of_point(t);
-  if (c.outward.extent(0) > 0)
-    for (int k = c.start(item); k < c.start(item + 1); ++k) {
-      if (c.other(k) < c.faces) continue;
-      const Touch& of_other = c.touch(c.other(k), 0);
-      if (of_other.other != c.items) continue;
-      const Real share = Cloud{c, p}.weight(c.other(k), item, of_other.normal) / of_other.weight[0];
-      f = f - share * of_other.force;
-      heat += share * heat_of_other(of_other);
-    }
-  store_vector(p.force, i, load_vector(p.force, i) + f);
+  store_vector(p.force, i, load_vector(p.force, i) + t.force);
+  const Real heat = heat_of_point(t);
   if (heat != Real(0))
     p.points.temperature(i) =
         warmed_by(materials(p.points.material(i)), p.points.mass(i), p.points.temperature(i), heat);

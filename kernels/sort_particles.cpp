@@ -56,29 +56,14 @@ HilbertKeyOf hilbert_key_of(const VectorField& position, int rows, const CellGri
   return {grid, bits_of(position, rows, grid)};
 }
 
-namespace {
-
-// The order within each group stays.
-void put_groups_together(const KeyedRows& order, const IndexField& body, const IndexField& apart) {
-  Kokkos::parallel_for(
-      "group_key", Range(0, int(order.extent(0))),
-      KOKKOS_LAMBDA(int k) { order(k).key = CellKey(apart(body(order(k).row))) << 32 | CellKey(k); });
-  Kokkos::sort(
-      ExecSpace{}, order, KOKKOS_LAMBDA(const KeyedRow& a, const KeyedRow& b) { return a < b; });
-}
-
-} // namespace
-
-void sort_particles(Particles& p, const CellGrid& lattice, const IndexField& apart) {
+void sort_particles(Particles& p, const CellGrid& lattice) {
   CellGrid grid = cell_grid(p.position, p.count, lattice.cell_size);
   const Real pair = 2 * grid.cell_size;
   const auto begin = [&](Real x, Real from) { return from + pair * Kokkos::floor((x - from) / pair); };
   const Vector3 low = grid.origin, from = lattice.origin;
   grid.origin = {begin(low.x, from.x), begin(low.y, from.y), begin(low.z, from.z)};
-  const KeyedRows order =
-      sort_rows(p.position, first_rows(p.count), hilbert_key_of(p.position, p.count, grid));
-  if (apart.extent(0) > 0) put_groups_together(order, p.body, apart);
-  const Moves moves = moves_to(order);
+  const Moves moves =
+      moves_to(sort_rows(p.position, first_rows(p.count), hilbert_key_of(p.position, p.count, grid)));
   const PermuteScratch scratch(moves);
   const bool freezes = p.damping.extent(0) > 0; // what is frozen keeps its pair fields
   for_each_field(p, [&](const char*, const auto& field, auto facts) {

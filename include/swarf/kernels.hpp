@@ -42,10 +42,9 @@ struct HexMethod {
 // --- neighbours and ghosts
 using GhostPlanes = std::vector<GhostPlane>; // on the host: a launch for each plane
 void wrap_periodic(const Particles&, const GhostPlanes&, const Status&); // back through the partner plane
-void sort_particles(Particles&, const CellGrid& lattice,
-                    const IndexField& apart = {}); // rows [0, count) along a Hilbert curve, group by group
-void make_ghosts(Particles&, Neighbors&, const GhostPlanes&);                    // rows [stored, total)
-void find_neighbors(Neighbors&, const Particles&);                               // clusters and their lists
+void sort_particles(Particles&, const CellGrid& lattice);     // rows [0, count) along a Hilbert curve
+void make_ghosts(Particles&, Neighbors&, const GhostPlanes&); // rows [stored, total)
+void find_neighbors(Neighbors&, const Particles&);            // clusters and their lists
 void update_ghosts(const Particles&, const Neighbors&, const GhostPlanes&);      // position, velocity
 void update_ghost_state(const Particles&, const Neighbors&, const GhostPlanes&); // what the force sum needs
 

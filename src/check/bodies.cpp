@@ -13,11 +13,10 @@ bool is_zero(const Triple& v) { return v == Triple{}; }
 
 bool are_tied(const BodyDeck& a, const BodyDeck& b) { return a.tie == b.name || b.tie == a.name; }
 
-// Particles of two bodies feel each other by their kernels, pull as well as push, where no contact takes
-// their place.
+// Particles of two bodies feel each other by their kernels, pull as well as push.
 bool feel(const Deck& deck, const BodyDeck& a, const BodyDeck& b) {
   return a.fill == Fill::particles && b.fill == Fill::particles &&
-         deck.particles.kernel_frame != KernelFrame::initial && !can_meet(deck, a, b);
+         deck.particles.kernel_frame != KernelFrame::initial;
 }
 
 // Centres or nodes of each body, and how far its own surface lies around them.
@@ -145,11 +144,10 @@ class BodyCheck {
 
   // What lets two bodies feel each other that would pass through.
   std::string remedy(const BodyDeck& one, const BodyDeck& other) const {
-    if (one.fill != Fill::particles || other.fill != Fill::particles)
-      return deck.contact.between_bodies == BetweenBodies::none
-                 ? "Leave contact.between_bodies = \"none\" out"
-                 : "Other bodies tie them together";
-    return "Take kernel_frame = \"current\", or contact.between_bodies = \"all\"";
+    if (one.fill == Fill::particles && other.fill == Fill::particles)
+      return "Take kernel_frame = \"current\", or fill one with hexes";
+    return deck.contact.between_bodies == BetweenBodies::none ? "Leave contact.between_bodies = \"none\" out"
+                                                              : "Ties to other bodies make them one";
   }
 
   std::vector<Triple> ways(std::size_t b) const {

@@ -21,9 +21,8 @@ bool are_all_tied(const Deck& deck) {
 }
 
 bool can_meet(const Deck& deck, const BodyDeck& a, const BodyDeck& b) {
-  const BetweenBodies who = deck.contact.between_bodies;
-  return who == BetweenBodies::all ||
-         (who == BetweenBodies::hexes && (a.fill == Fill::hexes || b.fill == Fill::hexes));
+  return deck.contact.between_bodies == BetweenBodies::hexes &&
+         (a.fill == Fill::hexes || b.fill == Fill::hexes);
 }
 
 bool can_meet(const Deck& deck) {

@@ -251,9 +251,8 @@ const Keys<ContactDeck>& contact_keys() {
       {"friction", &C::friction, D::none, Bounds{0, 10}, required, always,
        "Coulomb coefficient between tool and bodies, and between bodies"},
       {"between_bodies", word<&C::between_bodies>(), D::none, words<BetweenBodies>(), R"("hexes")", always,
-       "who presses whom where bodies meet that no tie joins: hexes: two bodies of which one at least is of "
-       "hexes, and particles of two bodies share kernels, which push and pull; all: particles of two bodies, "
-       "too, and they never weld; none: bodies pass through hexes"},
+       "who presses whom where bodies meet that no tie joins: two bodies of which one at least is of hexes "
+       "(particles of two bodies share kernels, which push and pull); none: bodies pass through hexes"},
       {"shear_limit", &C::shear_limit, D::pressure, positive, optional, always, "largest friction stress"},
       {"stiffness", &C::stiffness, D::none, Bounds{0, 1, true, false}, "1.0", always,
        "most of the contact's spring, in units of (scaled mass) / dt^2; a particle's is that of the material "

@@ -46,7 +46,6 @@ ContactGroups make_contact_groups(const Deck& deck, const std::vector<FilledBody
   if (!can_meet(deck)) return groups;
   const std::vector<int> of_body = contact_groups(deck);
   groups.count = int(bodies.size()); // numbers that tied bodies leave out are groups without anything
-  groups.of_particles = deck.contact.between_bodies == BetweenBodies::all;
   groups.of_body = upload("contact_groups.of_body", of_body);
   std::vector<int> of_hex;
   double edge = 1e300;

@@ -102,7 +102,7 @@ void Simulation::shift() {
 
 void Simulation::rebuild_lists() {
   wrap_periodic(model.particles, model.ghost_planes, status);
-  sort_particles(model.particles, model.lattice, lists.apart);
+  sort_particles(model.particles, model.lattice);
   find_held_rows(model.held_rows, model.particles);
   project_tie(model.tie, model.particles, model.hexes);
   make_ghosts(model.particles, lists, model.ghost_planes);

@@ -102,7 +102,6 @@ Simulation::Simulation(const Deck& from)
   if (deck.contact.conductance) contact_law.heat_resistance = Real(1 / *deck.contact.conductance);
   tool_heat_step = double(stable_heat_step(model.tool.heat));
   lists.cutoff = Real(model.cutoff), lists.skin = Real(model.skin);
-  if (model.contact_groups.of_particles) lists.apart = model.contact_groups.of_body;
   initial_heat = double(sum_heats().work);
   loads = make_tool_load_sums(std::max(model.particles.count, model.hexes.nodes));
   Kokkos::deep_copy(status, no_fault), Kokkos::deep_copy(hex_status, no_fault);

@@ -47,10 +47,10 @@ inline const Words& words<ToolKind>() {
   return all;
 }
 
-enum class BetweenBodies { hexes, all, none };
+enum class BetweenBodies { hexes, none };
 template <>
 inline const Words& words<BetweenBodies>() {
-  static const Words all = {"hexes", "all", "none"};
+  static const Words all = {"hexes", "none"};
   return all;
 }
 

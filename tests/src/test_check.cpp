@@ -225,10 +225,8 @@ TEST(Check, constants_that_no_material_has_are_named) {
 
 TEST(Check, bodies_that_will_meet_by_contact) {
   for (const auto& [first, second] : {std::pair("hexes", "hexes"), {"hexes", "particles"}})
-    expect_words(blocks(first, second, flies), {"will meet", "come together: contact, with friction 0"});
-  expect_words(blocks("particles", "particles", flies) +
-                   "[contact]\nfriction = 0.3\nbetween_bodies = \"all\"\n",
-               {"will meet", "come together: contact, with friction 0.3"});
+    expect_words(blocks(first, second, flies) + "[contact]\nfriction = 0.3\n",
+                 {"will meet", "come together: contact, with friction 0.3"});
 }
 
 TEST(Check, particles_that_will_act_as_one_body) {

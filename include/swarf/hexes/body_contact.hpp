@@ -10,7 +10,6 @@ inline constexpr int no_hex = -1, no_surface = -2;
 // Of a whole run. Bodies that are tied to each other are one group; bodies of one group never meet.
 struct ContactGroups {
   int count = 0;              // 0: no two bodies can meet, and nothing of this file costs anything
-  bool of_particles = false;  // particles of two groups meet by contact; else they share kernels
   View<int* [6]> behind;      // hex at each side of a hex; no_hex; no_surface: nothing can touch it there
   IndexField of_hex, of_body; // group
   Real skin = 0;              // m, of the lists
@@ -20,8 +19,8 @@ inline constexpr int points_of_face = 4;
 
 // What one point of an item does in one step. An item is a face of a hex, with four points, or a particle.
 struct Touch {
-  int other = -1;                // item that it touches
-  Real weight[points_of_face]{}; // of the other's nodes; of a particle's cloud [0]: the sum of all weights
+  int other = -1;                // face that it touches
+  Real weight[points_of_face]{}; // of the other's nodes
   Vector3 normal{0, 0, 0};       // unit, from the other to the point
   Vector3 force{0, 0, 0};        // N, on the point
   Real energy = 0;               // J, in its springs
@@ -35,7 +34,6 @@ struct BodyContact {
   IndexField row;           // of each particle among the items
   View<int* [points_of_face]> node;
   IndexField start, other; // items near to item i, of other groups: other[start(i) .. start(i + 1)), and back
-  VectorField outward; // of particles: about a tenth at a surface, 0 inside; 0 rows where they do not meet
   View<Touch* [points_of_face]> touch;
   View<Real* [points_of_face][3]> friction;     // N, of faces: stick-slip memory
   IndexField corner_start, corner;              // of nodes: 4 face + corner

@@ -23,7 +23,6 @@ struct Neighbors {
   VectorField build_position; // positions when the list was built, of all rows; X of a total Lagrangian sum
   Real cutoff = 0;            // m, support + skin
   Real skin = 0;              // m
-  IndexField apart; // group of each body: kernels do not reach across groups; 0 rows: they reach all
 
   // Ghosts: row ghost_first + k copies row ghost_source(k); those of plane p are
   // ghost_start[p] <= k < ghost_start[p + 1].

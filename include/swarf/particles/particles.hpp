@@ -127,7 +127,7 @@ struct Particles {
     visit("on_tool", p.on_tool, Facts<history, with_tool>());
     visit("tool_patch", p.tool_patch, Facts<history, with_tool>());
     visit("identity", p.identity, Facts<history>());
-    visit("body", p.body, Facts<history, when_made>());
+    visit("body", p.body, Facts<history>());
     visit("constraints", p.constraints, Facts<history>());
   }
 
