@@ -61,7 +61,7 @@ void reference_gradient(const Particles& p, const Neighbors& n) {
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
           const Symmetric3 A = lane_of(s.A, lane);
-          const auto [K0, exact] = correction_from(A);
+          const auto [K0, exact] = correction_from(A, i >= p.count);
           if (surfaces) p.surface_shift(i, 0) = i < p.count && exact ? lacking_neighbors(A) : Real(0);
           const Tensor3 F = identity3() + multiply(lane_of(s.displacement, lane), K0);
           const Real J = determinant(F);

@@ -78,7 +78,7 @@ void velocity_gradient(const Particles& p, const Neighbors& n, const ParticleMet
         for (int lane = 0; lane < lanes.size; ++lane) {
           const int i = lanes.first + lane;
           const Symmetric3 A = lane_of(s.A, lane);
-          const Correction at = correct ? correction_from(A) : Correction{identity3(), false};
+          const Correction at = correct ? correction_from(A, i >= p.count) : Correction{identity3(), false};
           store_correction(p, i, at.K);
           if (surfaces) p.surface_shift(i, 0) = i < p.count && at.exact ? lacking_neighbors(A) : Real(0);
           store_tensor(p.points.velocity_gradient, i, multiply(lane_of(s.L, lane), at.K));

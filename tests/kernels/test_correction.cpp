@@ -42,6 +42,13 @@ TEST(Correction, IsBoundedWhereADirectionHasHardlyAnyNeighbours) {
   EXPECT_NEAR(double(inside.K.zz), 1 / 0.3, 1e-4);
 }
 
+// Whatever its volumes are: tied particles keep theirs down to nothing along the ramp of the tie.
+TEST(Correction, IsExactAmongTiedParticles) {
+  const auto at = correction_from({Real(0.009), Real(0.008), Real(0.005), 0, 0, 0}, true);
+  EXPECT_TRUE(at.exact);
+  EXPECT_NEAR(double(at.K.zz), 1 / 0.005, 1e-2);
+}
+
 // A pair that parts: K A, by which the force of the pair is weighed, falls to 0 without a jump.
 TEST(Correction, FadesWithTheLastNeighbour) {
   double before = 1;

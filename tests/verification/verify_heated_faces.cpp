@@ -101,7 +101,9 @@ void cool(const std::string& fill, double film) {
     heat[r] = relative_error(o.heat, crossed(film, o.time));
     inside[r] = relative_error(o.at_depth, profile(film, depth, o.time));
   }
-  const std::string chord = "at 4 um the depth lies between two nodes, and the chord hides part of the error";
+  const std::string chord = "at 4 um the depth lies between two nodes, and the chord hides part of the error",
+                    ramp =
+                        "at 4 um the ramp of the tie lies within what has cooled, and errs to the other side";
   report({name, "heat that has left", how, crossed(film, o.time), "J/m2", source, o.heat, heat[2], 0.05});
   report({name, "fall of the temperature 6 um below, over the step", how, profile(film, depth, o.time), "",
           source, o.at_depth, inside[2], 0.02});
@@ -109,7 +111,9 @@ void cool(const std::string& fill, double film) {
           true});
   report_order(name, "heat that has left", "spacing 4, 2, 1 um", size, heat, 1, 0.3, "first order");
   report_order(name, "temperature 6 um below", "spacing 4, 2, 1 um", size, inside, 1, 0.3, "first order",
-               fill == "hexes" && film > 0 ? chord : "");
+               fill == "hybrid"              ? ramp
+               : fill == "hexes" && film > 0 ? chord
+                                             : "");
 }
 
 } // namespace

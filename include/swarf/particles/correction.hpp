@@ -11,11 +11,12 @@ struct Correction {
 
 // Least eigenvalue of A that is inverted as it is. A = sum_j V_j (x_j - x_i) (x) grad W_ij is 0.98 inside;
 // its least eigenvalue over the mean of the three is 0.7 in a face, 0.6 in an edge or a corner of a lattice,
-// and 0.45 in disorder of a fifth of a spacing. A tenth is a single row of particles that leaves the support:
-// below it the neighbours fade out of the sum, instead of being weighed ever more until they vanish.
-SWARF_FN Real least_inverted(const Symmetric3& A) {
-  return Kokkos::max(Real(0.25) * trace(A) / Real(3), Real(0.1));
-}
+// and 0.45 in disorder of a fifth of a spacing.
+SWARF_FN Real least_inverted(const Symmetric3& A) { return Real(0.25) * trace(A) / Real(3); }
+
+// A tenth is a single row of particles that leaves the support: below it the neighbours fade out of the sum,
+// instead of being weighed ever more until they vanish. Not for tied particles, whose volumes are small.
+inline constexpr Real fading = Real(0.1);
 
 // a - s 1 is positive definite: Sylvester's criterion.
 SWARF_FN bool exceeds(const Symmetric3& a, Real s) {
@@ -26,8 +27,8 @@ SWARF_FN bool exceeds(const Symmetric3& a, Real s) {
 // K = sum_k e_k e_k / max(a_k, least): in directions in which there are neighbours enough (within a sheet,
 // along a string) the gradient stays exact; in others, where A^-1 would amplify noise without bound, it is
 // bounded.
-SWARF_FN Correction correction_from(const Symmetric3& A) {
-  const Real least = least_inverted(A);
+SWARF_FN Correction correction_from(const Symmetric3& A, bool is_tied = false) {
+  const Real least = is_tied ? least_inverted(A) : Kokkos::max(least_inverted(A), fading);
   if (exceeds(A, least)) {
     const Tensor3 full = to_tensor(A);
     return {inverse(full, determinant(full)), true};
