@@ -20,5 +20,5 @@ def predicted_core_seconds(deck, seconds_per_particle_step=2e-6):
         else:
             work += 0.3 * cells
             reach = min(reach, spacing)
-    steps = decks.end_time(deck) / (deck["run"].get("courant", 0.8) * reach / wave)
+    steps = decks.end_time(deck) / (deck["run"].get("courant", 0.3) * reach / wave)
     return work * steps * seconds_per_particle_step

@@ -190,7 +190,10 @@ TEST(BarWave, RodOnRigidWall) {
             relative_error(duration, 2 * transit), 0.02});
     report({name, "impulse over 2 m v", run, 1, "", "momentum", impulse / (2 * mass * v0),
             std::abs(impulse / (2 * mass * v0) - 1), 0.02});
-    report({name, "velocity of the rebound", run, v0, "m/s", wave, after, relative_error(after, v0), 0.02});
+    const char* const sharp = "the front that a contact as stiff as the material makes is sharper than the "
+                              "particles carry: 1.7 % with a spring of 0.1 mass / dt^2, 2.4 % with theirs";
+    report({name, "velocity of the rebound", run, v0, "m/s", wave, after, relative_error(after, v0), 0.02,
+            false, fill == "particles" ? sharp : ""});
   }
   curve.series.push_back(
       {"exact", {0, 0, 2e6 * transit, 2e6 * transit, 3e6 * transit}, {0, 1, 1, 0, 0}, true});
