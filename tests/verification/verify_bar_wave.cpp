@@ -56,6 +56,16 @@ class FreeEnd {
   double weight = 0;
 };
 
+// Of the parabola through the largest sample and its neighbours: a step is 0.2 % of the time of the peak.
+std::pair<double, double> peak_of(const Series& s) {
+  const std::size_t k = std::size_t(std::max_element(s.y.begin() + 1, s.y.end() - 1) - s.y.begin());
+  const double a = s.x[k - 1] - s.x[k], b = s.x[k + 1] - s.x[k], fa = s.y[k - 1] - s.y[k],
+               fb = s.y[k + 1] - s.y[k];
+  const double curvature = (fb / b - fa / a) / (b - a), slope = fa / a - curvature * a;
+  const double shift = -slope / (2 * curvature);
+  return {s.x[k] + shift, s.y[k] + shift * (slope + curvature * shift)};
+}
+
 // Moves away from its held end at 10 m/s: tension.
 void pull_bar(const std::string& fill, End end, Curve& curve, const std::string& fault_of_peak = "") {
   const int cells = 200;
@@ -68,20 +78,20 @@ void pull_bar(const std::string& fill, End end, Curve& curve, const std::string&
   simulation.start();
   const FreeEnd top(simulation.scene());
   Series ours{run, {0}, {0}};
-  double peak = 0, when = 0;
   run_until(simulation, 3.5 * transit, [&] {
-    const double u = top.displacement(simulation.scene());
-    ours.x.push_back(1e6 * simulation.time()), ours.y.push_back(1e6 * u);
-    if (u > peak) peak = u, when = simulation.time();
+    ours.x.push_back(1e6 * simulation.time());
+    ours.y.push_back(1e6 * top.displacement(simulation.scene()));
   });
   curve.series.push_back(ours);
+  const auto [when, peak] = peak_of(ours);
   // The strain v0 / c = 0.16 % makes the problem nonlinear by as much; 1 % is that and three cells of front
   // of 200.
   const std::string name = "1 bar wave, " + fill;
-  report({name, "peak displacement of the free end", run, 1e6 * v0 * transit, "um", wave, 1e6 * peak,
-          relative_error(peak, v0 * transit), 0.01, false, fault_of_peak});
-  report({name, "time of the peak", run, 1e6 * transit, "us", wave, 1e6 * when, relative_error(when, transit),
-          0.01});
+  report({name, "peak displacement of the free end", run, 1e6 * v0 * transit, "um", wave, peak,
+          relative_error(peak, 1e6 * v0 * transit), 0.01, false, fault_of_peak});
+  report({name, "time of the peak", run, 1e6 * transit, "us", wave, when, relative_error(when, 1e6 * transit),
+          0.01, false,
+          fill == "particles" ? "the front is three cells wide, and its peak two of 200 cells late" : ""});
 }
 
 // First mode of the held bar, after a quarter of its period; small enough to be linear. L2 norm of the error.
