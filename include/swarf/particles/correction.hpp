@@ -16,7 +16,7 @@ SWARF_FN Real least_inverted(const Symmetric3& A) { return Real(0.25) * trace(A)
 
 // A tenth is a single row of particles that leaves the support: below it the neighbours fade out of the sum,
 // instead of being weighed ever more until they vanish. Not for tied particles, whose volumes are small.
-inline constexpr Real fading = Real(0.1);
+constexpr Real fading = Real(0.1);
 
 // a - s 1 is positive definite: Sylvester's criterion.
 SWARF_FN bool exceeds(const Symmetric3& a, Real s) {
