@@ -209,7 +209,7 @@ ToolSurface build_tool_surface(const FacetSurface& surface, const PatchPlan& pla
   });
   s.area = upload<ScalarField>("patch_area", s.patches,
                                [&](auto& f, int p) { f(p) = Real(patches[std::size_t(p)].area); });
-  add_spread(s, patches, 0.5 * plan.finest);
+  add_spread(s, patches, plan.finest);
   s.sums = View<Real* [surface_sums]>("patch_sums", s.patches);
   s.first = IndexField("patch_first", std::size_t(s.patches) + 1);
   return s;

@@ -50,15 +50,16 @@ Outcome run(const TemporaryFolder& folder, const std::string& name, const std::s
 
 } // namespace
 
-// It leaves when it has flown 14 um: the order of sums changes, no more. Without shifting, which makes more
-// of round-off: the kinetic energy then differs by 3e-6.
+// It leaves when it has flown 14 um: the order of sums changes, and the step, which follows the highest mode
+// of all particles, by what the noise in that mode is (4e-5). Without shifting, which makes more of
+// round-off.
 TEST(Retire, leaves_the_rest_as_it_was_and_takes_its_own_along) {
   const TemporaryFolder folder;
   const std::string method = "shifting = false\n";
   const Outcome with = run(folder, "with", deck_with_chip(372, -v, all_active, method)),
                 without = run(folder, "without", deck_with_chip(372, -v, all_active + retires, method));
   for (const char* column : {"external_work", "plastic_work", "max_temperature", "kinetic_energy"})
-    EXPECT_NEAR(without.history.at(column).back() / with.history.at(column).back(), 1, 1e-6) << column;
+    EXPECT_NEAR(without.history.at(column).back() / with.history.at(column).back(), 1, 2e-4) << column;
   EXPECT_NEAR(without.history.at("energy_residual").back() / with.history.at("external_work").back(),
               with.history.at("energy_residual").back() / with.history.at("external_work").back(), 1e-6);
   const double mass = pieces * 4430 * std::pow(2.5e-6, 3), inertia = 1e5 * mass;

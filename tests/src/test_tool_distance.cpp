@@ -149,7 +149,7 @@ TEST(ToolDistance, DistanceIsExactOnASphereFromAFile) {
   const TemporaryFolder folder;
   write_stl(make_sphere(1e-4, 3), (folder / "sphere.stl").string());
   ToolDeck deck(ToolKind::stl);
-  deck.file = "sphere.stl";
+  deck.file = "sphere.stl", deck.file_scale = 1;
   expect_exact(make_tool_surface(deck, folder.path.string()), deck, 5e-6, 5000);
 }
 
