@@ -28,7 +28,7 @@ SWARF_FN bool exceeds(const Symmetric3& a, Real s) {
 // along a string) the gradient stays exact; in others, where A^-1 would amplify noise without bound, it is
 // bounded.
 SWARF_FN Correction correction_from(const Symmetric3& A, bool is_tied = false) {
-  const Real least = is_tied ? least_inverted(A) : Kokkos::max(least_inverted(A), fading);
+  const Real least = is_tied ? least_inverted(A) : Kokkos::max(least_inverted(A), Real(fading));
   if (exceeds(A, least)) {
     const Tensor3 full = to_tensor(A);
     return {inverse(full, determinant(full)), true};
