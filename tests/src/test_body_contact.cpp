@@ -93,7 +93,8 @@ TEST(BodyContact, bodies_that_cannot_meet_have_no_fields_of_it) {
   const TemporaryFolder folder;
   const auto scene_of = [&](const std::string& who, const char* first) {
     std::string text = sliding(first, "particles", "");
-    text.replace(text.find("\"hexes\""), 7, who);
+    const std::string key = "between_bodies = ";
+    text.replace(text.find(key) + key.size(), 7, who);
     return build_scene(read_deck(write_deck(folder, text)));
   };
   for (const Scene& scene : {scene_of("\"none\"", "hexes"), scene_of("\"hexes\"", "particles")}) {
