@@ -50,7 +50,7 @@ void flatten(const toml::table& table, const std::string& path, Values& values) 
     } else {
       std::ostringstream text;
       if (const auto number = node.value_exact<double>())
-        text << fmt::format("{}", *number); // the shortest text that reads back as it
+        text << fmt::format("{:#}", *number); // the shortest text that reads back as it
       else
         node.visit([&](const auto& value) { text << value; });
       values[fmt::format("[{}] {}", path, name)] = text.str();
