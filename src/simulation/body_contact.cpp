@@ -1,5 +1,6 @@
 // Contact of bodies: when its lists are made again, and what a checkpoint keeps of it.
 #include "src/output/write_hdf5.hpp"
+#include "src/simulation/checkpoint_checks.hpp"
 #include "src/simulation/simulation.hpp"
 #include <algorithm>
 #include <cmath>
@@ -15,13 +16,6 @@ bool ascends(const IndexField& rows, int most) {
     if (values(k) <= last || values(k) >= most) return false;
     last = values(k);
   }
-  return true;
-}
-
-bool is_finite(const VectorField& field) {
-  const auto x = host_copy(field);
-  for (std::size_t i = 0; i < x.extent(0); ++i)
-    if (!std::isfinite(x(i, 0)) || !std::isfinite(x(i, 1)) || !std::isfinite(x(i, 2))) return false;
   return true;
 }
 

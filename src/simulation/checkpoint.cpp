@@ -1,6 +1,7 @@
 // What a checkpoint keeps of a Simulation.
 #include "src/output/write_hdf5.hpp"
 #include "src/scene/convert_hexes.hpp"
+#include "src/simulation/checkpoint_checks.hpp"
 #include "src/simulation/simulation.hpp"
 #include "swarf/region/freeze.hpp"
 #include "swarf/region/retire.hpp"
@@ -32,13 +33,6 @@ bool all_within(const Field& field, int rows, long least, long most) {
   const auto values = host_copy(field);
   for (int i = 0; i < std::min(rows, int(values.extent(0))); ++i)
     if (long(values(i)) < least || long(values(i)) > most) return false;
-  return true;
-}
-
-bool is_finite(const VectorField& field) {
-  const auto x = host_copy(field);
-  for (std::size_t i = 0; i < x.extent(0); ++i)
-    if (!std::isfinite(x(i, 0)) || !std::isfinite(x(i, 1)) || !std::isfinite(x(i, 2))) return false;
   return true;
 }
 
