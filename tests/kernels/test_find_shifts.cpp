@@ -1,13 +1,13 @@
 // Shifts of blocks of particles. Theory: an even lattice rests, also at its surface; disorder inside goes and
 // the surface stays; a rigid motion of the block, a ghost in place of a particle or another number of
 // threads changes nothing; no particle goes farther than it has flowed.
+#include "support/bits.hpp"
 #include "support/shifting_block.hpp"
 #include "swarf/particles/shifting.hpp"
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -374,27 +374,10 @@ TEST(FindShifts, PrintsItsBits) {
   std::printf("bits %016llx\n", bits);
 }
 
-namespace {
-
-std::string bits_with_threads(int threads) {
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command = "OMP_NUM_THREADS=" + std::to_string(threads) + " '" + self +
-                              "' --gtest_filter=FindShifts.PrintsItsBits";
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string bits;
-  char line[4096];
-  while (pipe && std::fgets(line, sizeof line, pipe))
-    if (std::strncmp(line, "bits ", 5) == 0) bits = line;
-  if (pipe) pclose(pipe);
-  return bits;
-}
-
-} // namespace
-
 TEST(FindShifts, SameBitsOnOneAndTwoThreads) {
-  const std::string one = bits_with_threads(1);
+  const std::string one = bits_with_threads("FindShifts.PrintsItsBits", 1);
   ASSERT_GT(one.size(), 16u);
-  EXPECT_EQ(one, bits_with_threads(2));
+  EXPECT_EQ(one, bits_with_threads("FindShifts.PrintsItsBits", 2));
 }
 
 } // namespace swarf::test

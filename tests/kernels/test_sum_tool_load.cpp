@@ -1,3 +1,4 @@
+#include "support/bits.hpp"
 #include "support/box_tool.hpp"
 #include "support/materials.hpp"
 #include "swarf/kernels.hpp"
@@ -5,9 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <random>
 #include <string>
 
@@ -146,22 +145,10 @@ TEST(SumToolLoad, PrintsItsBits) {
   std::printf("\n");
 }
 
-std::string bits_with_threads(int threads) {
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command = "OMP_NUM_THREADS=" + std::to_string(threads) + " '" + self +
-                              "' --gtest_filter=SumToolLoad.PrintsItsBits";
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string bits;
-  char line[4096];
-  while (pipe && std::fgets(line, sizeof line, pipe))
-    if (std::strncmp(line, "bits ", 5) == 0) bits = line;
-  if (pipe) pclose(pipe);
-  return bits;
-}
 TEST(SumToolLoad, SameBitsOnOneAndTwoThreads) {
-  const std::string one = bits_with_threads(1);
+  const std::string one = test::bits_with_threads("SumToolLoad.PrintsItsBits", 1);
   ASSERT_GT(one.size(), 100u);
-  EXPECT_EQ(one, bits_with_threads(2));
+  EXPECT_EQ(one, test::bits_with_threads("SumToolLoad.PrintsItsBits", 2));
 }
 
 TEST(CountPointsInside, CountsThoseDeeperThanTheDepth) {
