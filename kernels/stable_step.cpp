@@ -1,8 +1,8 @@
 // The stable step, Courant number 1. Particles: 2 over the highest frequency of their waves
 // (advance_mode.cpp; 1.8 h / c' inside a lattice, 1.07 of one with faces and edges, 0.75 of one two rows
-// thick), less where viscosity or stiffness against hourglass modes ask it. Hexes: the characteristic length
-// / c'. c' = c / sqrt(mass factor), the wave speed of the scaled mass. Minima are exact in any order of
-// threads.
+// thick), less where viscosity or stiffness against hourglass modes ask it. Hexes: 2 over the highest
+// frequency of a free hex. c' = c / sqrt(mass factor), the wave speed of the scaled mass. Minima are exact in
+// any order of threads.
 #include "cell_order.hpp"
 #include "swarf/hexes/hex8.hpp"
 #include "swarf/kernels.hpp"
@@ -113,9 +113,9 @@ StableStep stable_step(const HexMesh& m, const MaterialTable& materials, const H
         const Real coefficient = stiffness ? hourglass_stiffness(mat, set.hourglass_coefficient, volume, B)
                                            : hourglass_damping(scaled, set.hourglass_coefficient, volume);
         const Real rate = expansion_rate(points, e);
-        const Real own = Kokkos::min(
-            wave_step(scaled, set.viscosity_linear, set.viscosity_quadratic, characteristic_length(B), rate),
-            hourglass_step(stiffness, coefficient, scaled.density * volume));
+        const Real own = Kokkos::min(wave_step(mat, scaled, {set.viscosity_linear, set.viscosity_quadratic},
+                                               gradient_moments(B), rate),
+                                     hourglass_step(stiffness, coefficient, scaled.density * volume));
         if (own < dt.val || (own == dt.val && e < dt.loc)) dt.val = own, dt.loc = e;
       },
       MinStep(least));

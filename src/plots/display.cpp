@@ -13,16 +13,16 @@
 namespace swarf {
 namespace {
 
-// VTK aborts the whole program where it cannot connect, so we try first. libX11 comes with VTK.
-bool can_connect() {
-  if (!std::getenv("DISPLAY")) return false;
+// libX11 comes with VTK.
+template <class Function>
+Function* find_in_x11(const char* name) {
   void* x11 = dlopen("libX11.so.6", RTLD_NOW | RTLD_LOCAL);
-  if (!x11) return false;
-  const auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(x11, "XOpenDisplay"));
-  const auto close = reinterpret_cast<int (*)(void*)>(dlsym(x11, "XCloseDisplay"));
-  void* connection = open && close ? open(nullptr) : nullptr;
-  if (connection) close(connection);
-  return connection != nullptr;
+  return x11 ? reinterpret_cast<Function*>(dlsym(x11, name)) : nullptr;
+}
+
+void* connect_to_display() {
+  const auto open = find_in_x11<void*(const char*)>("XOpenDisplay");
+  return std::getenv("DISPLAY") && open ? open(nullptr) : nullptr;
 }
 
 // The number that Xvfb writes when it is ready; "" after ten seconds without one.
@@ -40,8 +40,11 @@ std::string read_display_number(int fd) {
 
 } // namespace
 
+// VTK aborts the whole program where it cannot connect, so we try first, and stay: a server that loses its
+// last client starts anew, and turns away who comes then, which would be the next window of ours.
 Display::Display() {
-  if (can_connect()) return;
+  connection = connect_to_display();
+  if (connection) return;
   start_server();
   if (!why_not.empty())
     why_not +=
@@ -64,8 +67,6 @@ void Display::start_server() {
     dup2(null, 0), dup2(null, 1), dup2(null, 2);
     dup2(ends[1], 3); // clears close-on-exec
     if (ends[1] == 3) fcntl(3, F_SETFD, 0);
-    // A server without clients starts anew unless told not to, and turns away who comes then: we do, after
-    // can_connect() has gone.
     execlp("Xvfb", "Xvfb", "-displayfd", "3", "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset",
            static_cast<char*>(nullptr));
     _exit(127);
@@ -79,10 +80,12 @@ void Display::start_server() {
     return;
   }
   setenv("DISPLAY", (":" + number).c_str(), 1);
-  if (!can_connect()) why_not = "no X display: the private Xvfb does not answer";
+  connection = connect_to_display();
+  if (!connection) why_not = "no X display: the private Xvfb does not answer";
 }
 
 Display::~Display() {
+  if (connection) find_in_x11<int(void*)>("XCloseDisplay")(connection);
   if (server <= 0) return;
   unsetenv("DISPLAY");
   kill(pid_t(server), SIGTERM);

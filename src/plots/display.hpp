@@ -17,7 +17,8 @@ class Display {
  private:
   void start_server();
   std::string why_not;
-  long server = 0; // process of the private Xvfb, 0: none
+  void* connection = nullptr; // to the display, for as long as this lives
+  long server = 0;            // process of the private Xvfb, 0: none
 };
 
 // One display for the rest of the program's life. "" if there is one, else the reason why not.

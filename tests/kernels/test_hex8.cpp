@@ -2,6 +2,7 @@
 
 #include "support/hex_block.hpp"
 #include "support/materials.hpp"
+#include "support/particle_block.hpp"
 
 #include <gtest/gtest.h>
 
@@ -168,6 +169,51 @@ TEST(CharacteristicLength, IsTheEdgeOfACubeAndTheThicknessOfABrickInAnyDirection
     p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
   }
   EXPECT_NEAR(characteristic_length(mean_gradient(x).B), 0.1, 1e3 * round_off);
+}
+
+// Highest frequency of a free hex, by power iteration on the forces that a motion of its corners brings: 8 /
+// rho V times the largest eigenvalue of its stiffness.
+double free_hex_frequency2(const HexVectors& x, const Material& mat) {
+  const HexGradient g = mean_gradient(x);
+  const Real lambda = mat.bulk_modulus - 2 * mat.shear_modulus / 3;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  HexVectors u;
+  for (Vector3& v : u.at) v = {Real(uniform(random)), Real(uniform(random)), Real(uniform(random))};
+  double eigenvalue = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Symmetric3 strain = symmetric_part(velocity_gradient(u, g.B));
+    const Real mean = lambda * trace(strain);
+    const Symmetric3 stress = (2 * mat.shear_modulus) * strain + Symmetric3{mean, mean, mean, 0, 0, 0};
+    const HexVectors f = corner_forces(g.volume * stress, g.B, HexModes{}, HexModes{});
+    double f2 = 0, u2 = 0;
+    for (int a = 0; a < 8; ++a) f2 += dot(f.at[a], f.at[a]), u2 += dot(u.at[a], u.at[a]);
+    eigenvalue = std::sqrt(f2 / u2);
+    for (int a = 0; a < 8; ++a) u.at[a] = Real(1 / std::sqrt(f2)) * f.at[a];
+  }
+  return 8 * eigenvalue / double(mat.density * g.volume);
+}
+
+TEST(WaveStep, IsThatOfTheFreeHex) {
+  for (const double poisson : {0.0, 0.33, 0.49}) {
+    Material mat = test::elastic_steel();
+    mat.bulk_modulus = Real(double(mat.shear_modulus) * 2 * (1 + poisson) / (3 * (1 - 2 * poisson)));
+    const HexInertia scaled{mat.density, longitudinal_wave_speed(mat)};
+    const auto share = [&](const HexVectors& x) { // of the bound over the true step
+      const Real step = wave_step(mat, scaled, {0, 0}, gradient_moments(mean_gradient(x).B), 0);
+      return double(step) / (2 / std::sqrt(free_hex_frequency2(x, mat)));
+    };
+    HexVectors x = unit_cube();
+    EXPECT_NEAR(share(x), 1, 1e3 * round_off) << poisson;
+    for (Vector3& p : x.at) p.z *= Real(0.01);
+    EXPECT_NEAR(share(x), 1, 1e-4) << poisson;
+    std::mt19937 random(4);
+    for (int k = 0; k < 100; ++k) {
+      const double of = share(distorted_cube(random));
+      EXPECT_LT(of, 1 + 1e3 * round_off) << poisson;
+      EXPECT_GT(of, 0.85) << poisson;
+    }
+  }
 }
 
 // q = rho ((b2 l rate)^2 + b1 c l |rate|): 1000 ((1.2 * 0.01 * 5e4)^2 + 0.06 * 3000 * 0.01 * 5e4) Pa.

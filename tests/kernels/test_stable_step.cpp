@@ -64,7 +64,11 @@ TEST(StableStep, OfAShearedInitialLattice) {
   EXPECT_GE(sheared, least / 2);
 }
 
-// A brick's thickness / c; a deleted hex does not count.
+// Over its waves' crossing of an edge l: 2 / sqrt(12 K / M), by which a free cube breathes.
+const double free_cube = 1 / std::sqrt(3 * 1e11 / wave_modulus);
+
+// 2 / w of a brick, w2 = (4 / rho) (2 G / l1^2 + lambda (1 / l1^2 + 1 / l2^2 + 1 / l3^2)), l1 its thickness;
+// a deleted hex does not count.
 TEST(StableStep, OfTheThinnestHex) {
   const Material mat = elastic_steel();
   const double planes[4] = {0, 2e-3, 2.5e-3, 4.5e-3};
@@ -75,18 +79,24 @@ TEST(StableStep, OfTheThinnestHex) {
   hex_velocity_gradient(m, status);
   const MaterialTable table = make_material_table({mat});
   const StableStep thin = stable_step(m, table, bare_hexes(4));
-  EXPECT_NEAR(double(thin.dt) / (0.5e-3 * 2 / wave_speed), 1, 1e2 * round_off);
+  const auto expected = [](double l1, double l2, double l3) {
+    const double lambda = wave_modulus - 2 * 8e10, thin2 = 1 / (l1 * l1);
+    const double w2 = 4 / 7800. * (2 * 8e10 * thin2 + lambda * (thin2 + 1 / (l2 * l2) + 1 / (l3 * l3)));
+    return 2 / std::sqrt(w2);
+  };
+  EXPECT_NEAR(double(thin.dt) / (2 * expected(0.5e-3, 3e-3, 4e-3)), 1, 1e2 * round_off);
   EXPECT_EQ(thin.limiter, 1);
   const auto active = host_copy(m.active);
   active(1) = 0;
   Kokkos::deep_copy(m.active, active);
-  EXPECT_NEAR(double(stable_step(m, table, bare_hexes(4)).dt) / (2e-3 * 2 / wave_speed), 1, 1e2 * round_off);
+  EXPECT_NEAR(double(stable_step(m, table, bare_hexes(4)).dt) / (2 * expected(2e-3, 3e-3, 4e-3)), 1,
+              1e2 * round_off);
   Kokkos::deep_copy(m.active, 0);
   EXPECT_EQ(stable_step(m, table, bare_hexes(4)).limiter, -1);
 }
 
-// A cube of 2 mm that shrinks at a rate of 0.3 c / l: (2 / w) (sqrt(1 + xi^2) - xi), w = 2 c / l (Belytschko,
-// Liu & Moran 2000, 6.2.6), xi = slope of q / rho c l.
+// A cube of 2 mm that shrinks at a rate of 0.3 c / l: (2 / w) (sqrt(1 + xi^2) - xi) (Belytschko, Liu & Moran
+// 2000, 6.2.6), of the mode in which it breathes: x'' = -(12 / rho l^2) (K x + slope of q x').
 TEST(StableStep, LeavesTheBulkViscosityItsShare) {
   const double l = 2e-3, rate = -0.3 * wave_speed / l, linear = 0.06, quadratic = 1.2;
   HexMesh m = make_hex_block({1, 1, 1}, elastic_steel(), [&](int i, int j, int k) {
@@ -103,7 +113,10 @@ TEST(StableStep, LeavesTheBulkViscosityItsShare) {
     method.viscosity_linear = Real(b1), method.viscosity_quadratic = Real(b2);
     return double(stable_step(m, table, method).dt) / (l / wave_speed);
   };
-  const auto expected = [](double xi) { return std::sqrt(1 + xi * xi) - xi; };
+  const auto expected = [](double slope) { // of q over rho c l
+    const double xi = 3 * slope * free_cube;
+    return free_cube * (std::sqrt(1 + xi * xi) - xi);
+  };
   EXPECT_NEAR(share(2, 0) / expected(2), 1, 1e2 * round_off);
   const HexInertia inertia{7800, Real(wave_speed)};
   const auto q = [&](double at) {
@@ -141,9 +154,10 @@ TEST(StableStep, LeavesTheHourglassControlItsShare) {
     const double force = std::abs(double(host_copy(m.corner_force)(0, 0, 0)));
     const double expected = stiff ? 2 * std::sqrt(mass * double(dt) / force) : 2 * mass / force;
     EXPECT_NEAR(double(stable_step(m, table, method).dt) / expected, 1, 1e3 * round_off) << stiff;
-    EXPECT_LT(expected, l / wave_speed) << stiff;
+    EXPECT_LT(expected, free_cube * l / wave_speed) << stiff;
     method.hourglass_coefficient = Real(0.1); // the shipped default limits nothing
-    EXPECT_NEAR(double(stable_step(m, table, method).dt) / (l / wave_speed), 1, 1e2 * round_off) << stiff;
+    EXPECT_NEAR(double(stable_step(m, table, method).dt) / (free_cube * l / wave_speed), 1, 1e2 * round_off)
+        << stiff;
   }
 }
 

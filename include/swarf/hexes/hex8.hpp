@@ -86,16 +86,24 @@ SWARF_FN Tensor3Of<S> velocity_gradient(const HexVectorsOf<S>& v, const HexVecto
 }
 
 // --- length
-// l = 1 / sqrt(2 max eig(B^T B)): the edge of a cube, the thickness of a flat brick. Plane waves in the
-// lumped mesh need dt <= l / c. Measured limits of dt c / l at nu = 0.33 (0.45), from the largest eigenvalue:
-// a block of 4 x 4 x 4 cubes 0.95 (0.88), a single free cube 0.71 (0.62).
-SWARF_FN Real characteristic_length(const HexVectors& B) {
+struct HexMoments {  // of sum_a B_a B_a^T, 1/m2
+  Real largest, sum; // eigenvalue; of all three
+};
+SWARF_FN HexMoments gradient_moments(const HexVectors& B) {
   Symmetric3 sum{};
   for (int a = 0; a < 8; ++a) {
     const Vector3& b = B.at[a];
     sum = sum + Symmetric3{b.x * b.x, b.y * b.y, b.z * b.z, b.x * b.y, b.y * b.z, b.z * b.x};
   }
-  return Real(1) / Kokkos::sqrt(Real(2) * largest_eigenvalue(sum));
+  return {largest_eigenvalue(sum), trace(sum)};
+}
+
+// The edge of a cube, the thickness of a flat brick. Plane waves in a mesh of lumped masses need dt <= l / c.
+SWARF_FN Real characteristic_length(const HexMoments& g) {
+  return Real(1) / Kokkos::sqrt(Real(2) * g.largest);
+}
+SWARF_FN Real characteristic_length(const HexVectors& B) {
+  return characteristic_length(gradient_moments(B));
 }
 SWARF_FN Real characteristic_length(const HexMesh& mesh, int e) {
   return characteristic_length(load_gradient(mesh.gradient, e));
@@ -144,8 +152,8 @@ SWARF_FN Real hourglass_damping(const HexInertia& scaled, Real kappa, Real volum
 
 // Stiffness control: generalised force per displacement; the eigenvalue of an hourglass mode is
 // kappa 4 mu V B:B. Of mu only: the modes bend and twist a hex, which takes no more force when it is nearly
-// incompressible. The hex's largest eigenvalue is at most (lambda + 2 mu) V B:B: no time step is lost while
-// kappa 4 mu < lambda + 2 mu, which is kappa < 1 at nu = 1/3 and above, kappa < 0.5 at nu = 0.
+// incompressible. A cube's largest eigenvalue is K V B:B: no time step is lost while kappa 4 mu < K, which is
+// kappa < 2/3 at nu = 1/3, kappa < 1/6 at nu = 0.
 SWARF_FN Real hourglass_stiffness(const Material& mat, Real kappa, Real volume, const HexVectors& B) {
   Real sum = 0;
   for (int a = 0; a < 8; ++a) sum += dot(B.at[a], B.at[a]);
@@ -198,13 +206,24 @@ SWARF_FN Real damped_step(Real w2, Real damping) {
   return Real(4) / (damping + Kokkos::sqrt(damping * damping + Real(4) * w2));
 }
 
-// Of the waves of a hex, the fastest of which is 2 c / l, damped by the slope of q: xi = b1 + 2 b2^2 (l / c)
-// |rate|. It meets the next compression, so b1 counts in expansion too. (Manuals take the secant q / rate,
-// half of the quadratic share, which is enough for a rate that alternates about zero, not about a shock's.)
-SWARF_FN Real wave_step(const HexInertia& scaled, Real linear, Real quadratic, Real length, Real rate) {
-  const Real w = Real(2) * scaled.wave_speed / length;
-  const Real xi = linear + Real(4) * quadratic * quadratic * Kokkos::max(-rate, Real(0)) / w;
-  return damped_step(w * w, Real(2) * xi * w);
+// Of a free hex, which no mode of a mesh exceeds (Irons & Treharne, 1971). Corners of mass rho V / 8 that
+// move by u_a = sigma B_a have w2 strain = (8 / rho) sym(sigma g), g = sum_a B_a B_a^T: for the stress lambda
+// tr strain + 2 mu strain at most (8 / rho) (2 mu g_max + lambda tr g) (Flanagan & Belytschko 1984), which is
+// 12 K / rho of a unit cube, 4 (lambda + 2 mu) / rho of a flat brick. Damped by the slope of q, a pressure,
+// in the same way. It meets the next compression, so b1 counts in expansion too. (Manuals take the secant q /
+// rate, half of the quadratic share, which is enough for a rate that alternates about zero, not about a
+// shock's.)
+struct BulkViscosity {
+  Real linear, quadratic; // b1, b2
+};
+SWARF_FN Real wave_step(const Material& mat, const HexInertia& scaled, const BulkViscosity& q,
+                        const HexMoments& g, Real rate) {
+  const Real lambda = Kokkos::max(mat.bulk_modulus - Real(2) / Real(3) * mat.shear_modulus, Real(0));
+  const Real length = characteristic_length(g), compression = Kokkos::max(-rate, Real(0));
+  const Real slope = length * (q.linear * scaled.wave_speed +
+                               Real(2) * q.quadratic * q.quadratic * length * compression); // over rho
+  return damped_step(Real(8) / scaled.density * (Real(2) * mat.shear_modulus * g.largest + lambda * g.sum),
+                     Real(8) * slope * g.sum);
 }
 
 // Of the hourglass mode of all hexes of a mesh: sum_a gamma_a h_a = 8, and a node of mass rho V meets 8
