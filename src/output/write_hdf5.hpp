@@ -19,7 +19,7 @@ struct HistoryTable;
 void write_history_hdf5(const std::filesystem::path& file, const HistoryTable& raw,
                         const HistoryTable& filtered);
 
-inline constexpr int checkpoint_version = 7;
+inline constexpr int checkpoint_version = 8;
 
 enum class NumberType { float32, float64, int32, uint32, int64, uint64 };
 

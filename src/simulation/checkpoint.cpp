@@ -88,8 +88,9 @@ void Simulation::visit_state(Self& s, const Visit& visit) {
   visit("time", s.now), visit("step_size", s.step_size), visit("steps", s.steps);
   visit("next_check", s.next_check), visit("rebuild_count", s.rebuild_count), visit("lists_due", s.lists_due);
   visit("steps_at_sample", s.steps_at_sample), visit("reference_step", s.contact_law.reference_step);
-  visit("particle_step", s.particle_step), visit("wave_step", s.wave_step),
-      visit("pressure_time", s.pressure_pace.waited);
+  visit("particle_step", s.particle_step), visit("wave_step", s.wave_step);
+  visit("mode_interval", s.mode_interval), visit("next_mode", s.next_mode);
+  visit("pressure_time", s.pressure_pace.waited);
   visit("heat_step", s.heat_step), visit("heat_time", s.heat_pace.waited);
   visit("shift_speed", s.shift_speed), visit("way_since_shift", s.way_since_shift);
   visit("freeze_due", s.freezing.due), visit("frozen_at", s.freezing.looked_at);
@@ -216,6 +217,8 @@ void Simulation::check_numbers(const CheckpointReader& in) const {
   in.require(next_check >= steps && next_check <= steps + most_unseen_steps, "next_check");
   in.require(steps_at_sample >= 0 && steps_at_sample <= steps, "steps_at_sample");
   in.require(is_time(particle_step), "particle_step"), in.require(is_time(wave_step), "wave_step");
+  in.require(mode_interval >= 1 && mode_interval <= most_steps_between_modes, "mode_interval");
+  in.require(next_mode >= 0 && next_mode <= steps + mode_interval, "next_mode");
   in.require(is_time(pressure_pace.waited), "pressure_time");
   in.require(is_time(shown_since) && shown_since <= now, "shown_since");
   in.require(std::isfinite(initial_tool_heat), "initial_tool_heat");

@@ -55,7 +55,7 @@ void Simulation::step() {
   if (freezing.due) freeze();
   if (lists_due) rebuild_lists();
   if (meeting_due) follow_bodies();
-  if (mode_is_due()) find_highest_mode(1);
+  follow_highest_mode();
   follow_hexes_and_ghosts();
   update_rates_and_stresses();
   if (deck.particles.pressure_diffusion > 0) smooth_pressure();
@@ -64,6 +64,8 @@ void Simulation::step() {
   if (conducts) conduct();
   kick_half();
   if (deck.sleep.distance) fade_waves();
+  if (wave_step > 0 && !particle_method.initial_frame) // it may have fallen since the last check
+    step_size = std::min(step_size, deck.run.courant * wave_step);
   timer.mark("integrate");
   ++steps, moved_particles += model.particles.count;
 }

@@ -102,8 +102,8 @@ class Simulation {
   bool has_surfaces() const { return model.particles.surface_shift.extent(0) > 0; }
   double shift_way() const { return model.spacing / 16; } // m, of the tool between two shifts
   StableStep limit_step();
-  static constexpr int steps_between_modes = 25, first_iterations = 40;
-  bool mode_is_due() const;
+  static constexpr int most_steps_between_modes = 25, first_iterations = 40;
+  void follow_highest_mode();
   void find_highest_mode(int iterations); // and the step of the particles' waves from it
   HeatSums sum_heats() const;
   void book_heat(HistorySample&) const;
@@ -131,8 +131,10 @@ class Simulation {
   Status status, hex_status; // of particles; of hexes
   ToolLoadSums loads;
 
-  double particle_step = 0; // s: stable step of the particles
-  double wave_step = 0;     // s: 2 over the highest frequency of the particles' waves
+  double particle_step = 0;                     // s: stable step of the particles
+  double wave_step = 0;                         // s: 2 over the highest frequency of the particles' waves
+  int mode_interval = most_steps_between_modes; // steps until the next look at their mode
+  long next_mode = 0;                           // the step of that look
   bool conducts = false;
   double heat_step = 0; // s: stable step of conduction
   Pace heat_pace, pressure_pace;

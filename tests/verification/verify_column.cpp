@@ -140,7 +140,7 @@ TEST(Column, StaysWhole) {
                 soft_tension});
       if (w.reached >= end)
         report({name, "energy residual / kinetic energy at the start", parameters, 0, "",
-                "exact: 0; central differences at Courant number 0.3: within 1 %", w.residual,
+                "exact: 0; central differences at the default Courant number: within 1 %", w.residual,
                 std::abs(w.residual), 0.01, true,
                 omega < 200 ? ""
                 : torn      ? soft_tension
