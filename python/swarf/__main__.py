@@ -1,10 +1,11 @@
-"""python3 -m swarf study | report: the commands of the program that this package carries out."""
+"""python3 -m swarf study | report | import: the commands of the program that this package carries out."""
 import sys
 
+from .abaqus import command as abaqus
 from .report import command as report
 from .study import command as study
 
-COMMANDS = {"study": study.main, "report": report.main}
+COMMANDS = {"study": study.main, "report": report.main, "import": abaqus.main}
 
 
 def main(arguments):

@@ -50,23 +50,6 @@ Probe try_block(const Deck& deck) {
   return probe;
 }
 
-Box box_of(const BodyDeck& b) {
-  Box box;
-  const auto round = [&](double radius, double low, double high) {
-    box.grow({b.origin[0] - radius, b.origin[1] - radius, b.origin[2] + low});
-    box.grow({b.origin[0] + radius, b.origin[1] + radius, b.origin[2] + high});
-  };
-  if (b.shape == BodyShape::block) {
-    box.grow(b.origin);
-    box.grow({b.origin[0] + b.size[0], b.origin[1] + b.size[1], b.origin[2] + b.size[2]});
-  } else if (b.shape == BodyShape::sphere) {
-    round(b.outer_radius, -b.outer_radius, b.outer_radius);
-  } else {
-    round(b.shape == BodyShape::cylinder ? b.radius : b.outer_radius, 0, b.height);
-  }
-  return box;
-}
-
 } // namespace
 
 SceneReport estimate_large(const Deck& deck) {
@@ -82,7 +65,8 @@ SceneReport estimate_large(const Deck& deck) {
     const Probe probe = try_block(probe_of(deck, body, std::cbrt(shape.volume() / count)));
     step = std::min(step, probe.step), heat = std::max(heat, probe.heat_steps);
     seconds += count * probe.seconds_per_cell;
-    const Box box = box_of(body);
+    Box box;
+    for (const Triple& corner : find_box(deck, body)) box.grow(corner);
     bodies.add(box);
     line(fmt::format("box of \"{}\"", body.name),
          describe_box(box) + fmt::format(", {:.4g} {}", count, word_of(body.fill)));

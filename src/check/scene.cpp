@@ -1,4 +1,5 @@
 #include "src/check/scene.hpp"
+#include "src/geometry/shape.hpp"
 #include "src/tool/geometry.hpp"
 #include <algorithm>
 #include <cmath>
@@ -96,11 +97,49 @@ std::string describe_facets(const Scene& scene) {
   return text;
 }
 
+namespace {
+
+std::string describe_volume(double cubic_metres) { // in the cubes of a length that suits
+  const double edge = std::cbrt(cubic_metres);
+  const auto [scale, unit] = edge < 1e-3 ? std::pair(1e6, "um3")
+                             : edge < 1  ? std::pair(1e3, "mm3")
+                                         : std::pair(1.0, "m3");
+  return fmt::format("{:.4g} {}", cubic_metres * scale * scale * scale, unit);
+}
+
+// What of the file's body its particles or hexes have.
+std::string describe_filling(const Deck& deck, const Scene& scene, std::size_t row) {
+  const BodyDeck& body = deck.bodies[row];
+  const bool particles = body.fill == Fill::particles;
+  const auto of = host_copy(particles ? scene.particles.body : scene.hex_body);
+  const auto volume = host_copy(particles ? scene.particles.volume : scene.hexes.volume);
+  const int rows = particles ? scene.particles.count : scene.hexes.points.count;
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < rows; ++i)
+    if (of(i) == int(row)) sum += double(volume(i)), ++count;
+  const Shape shape = make_shape(deck, body);
+  std::string text = fmt::format("{} in {} {}", describe_volume(sum), count, word_of(body.fill));
+  if (body.shape != BodyShape::stl) return text;
+  double cell = 1;
+  const auto [low, high] = find_box(deck, body);
+  for (std::size_t d = 0; d < 3; ++d) cell *= (high[d] - low[d]) / shape.cells[d];
+  const double off = 100 * (count * cell / shape.volume() - 1);
+  return text + (particles ? fmt::format(", scaled to that of the surface from {:+.2f} %", off)
+                           : fmt::format(", {:+.2f} % off that of the surface", off));
+}
+
+} // namespace
+
 SceneReport look_at_scene(const Deck& deck, const Scene& scene) {
   SceneReport report;
   const std::vector<Box> boxes = boxes_of_bodies(deck, scene);
   for (std::size_t b = 0; b < boxes.size(); ++b)
     report.lines.emplace_back(fmt::format("box of \"{}\"", deck.bodies[b].name), describe_box(boxes[b]));
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+    if (deck.bodies[b].has_file())
+      report.lines.emplace_back(fmt::format("volume of \"{}\"", deck.bodies[b].name),
+                                describe_filling(deck, scene, b));
   if (deck.tool) {
     report.lines.emplace_back("facets of the tool", describe_facets(scene));
     report.lines.emplace_back("box of the tool", describe_box(box_of_tool(deck, scene, 0)));

@@ -5,12 +5,21 @@
 namespace swarf {
 
 void check_material(const MaterialDeck& material, const toml::table& table, DeckReport& report);
-void check_body(const BodyDeck& body, const toml::table& table, DeckReport& report);
-// Also makes the STL file's name absolute, so that the resolved deck can be read from any folder.
-struct StlPlace {
-  std::string deck, instead; // the deck's file, and the STL to take where the one it names is missing
+// Where files that the deck names are: relative to it, or, if missing, in the results folder that keeps them.
+struct FilePlace {
+  std::string deck, kept; // the deck's file, and that folder, or empty
 };
-void check_tool(ToolDeck& tool, const toml::table& table, const StlPlace& place, DeckReport& report);
+// Both also make the names of files absolute, so that the resolved deck can be read from any folder.
+// `row`: of the deck's bodies.
+struct BodyPlace {
+  FilePlace files;
+  int row = 0;
+};
+void check_body(BodyDeck& body, const toml::table& table, const BodyPlace& place, DeckReport& report);
+void check_tool(ToolDeck& tool, const toml::table& table, const FilePlace& place, DeckReport& report);
+// Makes the name absolute: beside the deck or, where it is missing there, the copy that was kept. False:
+// neither.
+bool find_file(std::string& name, const std::string& deck, const std::string& kept);
 void check_output(const OutputDeck& output, const toml::table& table, DeckReport& report);
 
 // Between sections; `root` is the whole deck.

@@ -33,7 +33,7 @@ MechanisticDeck fill_mechanistic(const toml::table& table, DeckReport& report) {
 
 class DeckReader {
  public:
-  DeckReader(const StlPlace& from, const toml::table& table) : root(table), place(from), report(from.deck) {
+  DeckReader(const FilePlace& from, const toml::table& table) : root(table), place(from), report(from.deck) {
     deck.file = from.deck;
   }
   Deck read();
@@ -41,7 +41,7 @@ class DeckReader {
  private:
   const toml::table& root;
   const toml::table empty{};
-  StlPlace place;
+  FilePlace place;
   DeckReport report;
   Deck deck;
 
@@ -151,7 +151,7 @@ void DeckReader::read_bodies() {
     const std::size_t before = report.count();
     read_keys(table, "body", body_keys(), body, report);
     read_faces(table, body.faces);
-    if (report.count() == before) check_body(body, table, report);
+    if (report.count() == before) check_body(body, table, {place, int(deck.bodies.size())}, report);
     deck.bodies.push_back(body);
   }
 }
@@ -330,8 +330,8 @@ auto with_table(const std::string& file, const Use& use) {
   }
 }
 
-Deck read_deck(const std::string& file, const std::string& stl) {
-  return with_table(file, [&](const toml::table& table) { return DeckReader({file, stl}, table).read(); });
+Deck read_deck(const std::string& file, const std::string& kept) {
+  return with_table(file, [&](const toml::table& table) { return DeckReader({file, kept}, table).read(); });
 }
 
 MechanisticDeck read_mechanistic(const std::string& file) {

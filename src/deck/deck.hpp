@@ -46,7 +46,7 @@ struct MaterialDeck {
 
 struct FaceDeck {
   FaceDeck(std::string face = "", FaceKind kind = FaceKind::free, const Triple& velocity = {});
-  std::string face; // x_min .. z_max | bottom top side | inner outer bottom top start end
+  std::string face; // x_min .. z_max | bottom top side | inner outer bottom top start end | set of nodes
   FaceKind kind;
   Triple velocity;
   bool fixed;                        // as the deck's table says it; kind has it, too
@@ -60,10 +60,13 @@ struct BodyDeck {
   std::string name, material;
   BodyShape shape;
   Fill fill;
-  Triple origin; // block: corner of least x, y, z; others: centre (of the base)
-  Triple size;   // block
+  Triple
+      origin;  // block: corner of least x, y, z; stl, mesh: origin of the file; others: centre (of the base)
+  Triple size; // block
   double radius, inner_radius, outer_radius, height;
   double start_angle, end_angle; // ring, rad; a whole turn closes the ring
+  std::string file;              // stl, mesh; relative to the deck there, absolute here
+  double file_scale;             // m per unit of the file
   std::optional<double> spacing; // m: particles, or edges of hexes
   std::optional<std::array<int, 3>>
       cells;           // block: nx ny nz; ring: around, axial, radial; cylinder: across, across, axial
@@ -77,6 +80,7 @@ struct BodyDeck {
   std::vector<FaceDeck> faces;
   int line = 0; // of the deck, for messages
   bool converts() const { return convert_distance || convert_strain; }
+  bool has_file() const { return shape == BodyShape::stl || shape == BodyShape::mesh; }
   bool operator==(const BodyDeck&) const = default;
 };
 
@@ -250,8 +254,8 @@ struct Deck {
 
 // Throws DeckError with one line for each fault of the deck: faults of single sections first; those between
 // sections (names, ties, spindle) when there are no others.
-// `stl` takes the place of the tool's STL file where that is missing: the copy that a results folder keeps.
-Deck read_deck(const std::string& file, const std::string& stl = "");
+// `kept`: a results folder, whose copies take the place of files (of the tool, of bodies) that are missing.
+Deck read_deck(const std::string& file, const std::string& kept = "");
 
 // The section [mechanistic] of a file that may have no other: what swarf identify writes. Throws DeckError.
 MechanisticDeck read_mechanistic(const std::string& file);

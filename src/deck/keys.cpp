@@ -96,16 +96,20 @@ const Keys<BodyDeck>& body_keys() {
   using B = BodyDeck;
   const Bounds ring_angle{-360, 720};
   const std::vector<Condition> block_or_ring = shape({"block", "ring"}), cylinder = shape({"cylinder"});
+  const auto of_lattice = shape({"block", "cylinder", "ring", "sphere", "stl"});
   const std::vector<Condition> lattice_of_hexes = {{"fill", {"hexes"}}, {"shape", {"block", "ring"}}};
   static const Keys<B> keys = {
       {"name", &B::name, D::none, Text{}, required, always, "unique among the bodies"},
       {"shape", word<&B::shape>(), D::none, words<BodyShape>(), required, always,
-       "cylinder and ring have their axis along z"},
+       "cylinder and ring have their axis along z; stl: what a closed surface encloses; mesh: hexes or "
+       "particles "
+       "as a file has them"},
       {"fill", word<&B::fill>(), D::none, words<Fill>(), required, always, "how the body is discretised"},
       {"material", &B::material, D::none, Text{}, required, always,
        "NAME of a [material.NAME], or \"library:NAME\" of those that swarf materials lists"},
       {"origin", &B::origin, D::length, any, zero_point, always,
-       "block: corner of least x, y, z; cylinder and ring: centre of the base; sphere: centre"},
+       "block: corner of least x, y, z; cylinder and ring: centre of the base; sphere: centre; stl and mesh: "
+       "where the origin of the file comes to lie"},
       {"size", &B::size, D::length, positive, required, shape({"block"}), "edges along x, y, z"},
       {"radius", &B::radius, D::length, positive, required, cylinder, "of the cylinder"},
       {"inner_radius", &B::inner_radius, D::length, positive, required, shape({"ring"}), "of the bore"},
@@ -118,7 +122,16 @@ const Keys<BodyDeck>& body_keys() {
        "of the sector, counter-clockwise from +x"},
       {"end_angle", &B::end_angle, D::angle, ring_angle, R"("360 deg")", shape({"ring"}),
        "of the sector; a whole turn closes the ring"},
-      {"spacing", &B::spacing, D::length, positive, optional, always,
+      {"file", &B::file, D::none, Text{}, required, shape({"stl"}),
+       "STL file, relative to the deck; closed, normals outwards"},
+      {"file_scale", &B::file_scale, D::length, positive, R"("1 mm")", shape({"stl"}),
+       "length of one unit of the file"},
+      {"file", &B::file, D::none, Text{}, required, shape({"mesh"}),
+       "relative to the deck; of hexes: *NODE, *ELEMENT, TYPE=C3D8R and *NSET as Abaqus writes them; of "
+       "particles: a line x, y, z, volume for each"},
+      {"file_scale", &B::file_scale, D::length, positive, required, shape({"mesh"}),
+       "length of one unit of the file"},
+      {"spacing", &B::spacing, D::length, positive, optional, of_lattice,
        "distance of particles, or edge of hexes; rounded so that whole cells fit. Instead of cells"},
       {"cells", &B::cells, D::none, Counts{3}, optional, block_or_ring,
        "exact counts instead of spacing; block [x, y, z], ring [around, axial, radial]"},
@@ -142,7 +155,9 @@ const Keys<BodyDeck>& body_keys() {
        "the braces, if heat goes through the face, temperature and film. "
        "Faces of a block: x_min x_max y_min y_max z_min z_max; of a cylinder: bottom top side; of a ring: "
        "inner "
-       "outer bottom top start end; of a sphere: inner outer. Faces not named are free; periodic ones come "
+       "outer bottom top start end; of a sphere: inner outer; of an stl: the sides of its box, as of a "
+       "block; of a "
+       "mesh: its sets of nodes. Faces not named are free; periodic ones come "
        "in "
        "opposite pairs; symmetric and periodic ones are plane"},
   };

@@ -22,6 +22,11 @@ bool is_bare(const std::string& name) {
          std::string::npos;
 }
 
+// Names of users may need quotes.
+std::string key_of(const std::string& name) {
+  return is_bare(name) ? name : write_value(name, {"", Dimension::none, Text{}});
+}
+
 std::string write_body(const BodyDeck& body) {
   std::string text = "\n[[body]]\n" + write_keys(body_keys(), body);
   if (!body.faces.empty()) text += "[body.faces]\n";
@@ -35,8 +40,9 @@ std::string write_body(const BodyDeck& body) {
                         write_value(*face.temperature, {"", Dimension::temperature, Bounds{}}));
     if (face.film)
       entries.push_back("film = " + write_value(*face.film, {"", Dimension::conductance, Bounds{}}));
-    text += entries.empty() ? fmt::format("{} = \"{}\"\n", face.face, word_of(face.kind))
-                            : fmt::format("{} = {{ {} }}\n", face.face, fmt::join(entries, ", "));
+    const std::string name = key_of(face.face);
+    text += entries.empty() ? fmt::format("{} = \"{}\"\n", name, word_of(face.kind))
+                            : fmt::format("{} = {{ {} }}\n", name, fmt::join(entries, ", "));
   }
   return text;
 }
@@ -104,9 +110,7 @@ std::string resolved_deck(const Deck& deck) {
   }
   text += write_keys(top_keys(), deck);
   for (const MaterialDeck& material : deck.materials) {
-    const std::string name =
-        is_bare(material.name) ? material.name : write_value(material.name, {"", Dimension::none, Text{}});
-    text += fmt::format("\n[material.{}]\n{}", name, write_keys(material_keys(), material));
+    text += fmt::format("\n[material.{}]\n{}", key_of(material.name), write_keys(material_keys(), material));
   }
   for (const BodyDeck& body : deck.bodies) text += write_body(body);
   if (deck.tool) text += "\n[tool]\n" + write_keys(tool_keys(), *deck.tool);

@@ -67,6 +67,12 @@ bool is_picture(const std::string& name) {
          (name.starts_with("chip_") && name.ends_with(".png") && ends_in_number(name, 5));
 }
 
+bool is_body(const std::string& name) {
+  const auto end = name.find_first_not_of("0123456789", 5);
+  return name.starts_with("body_") && end != name.npos && end > 5 &&
+         (name.substr(end) == ".stl" || name.substr(end) == ".mesh");
+}
+
 void add_files(const fs::path& folder, bool (*ours)(const std::string&), std::vector<fs::path>& files) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
@@ -83,6 +89,7 @@ std::vector<fs::path> list_files(const ResultsFolder& results) {
     if (fs::exists(file, ignored)) files.push_back(file);
   for (const char* name : {"surface.csv", "surface_heights.csv", "surface_history.csv", "surface.json"})
     if (fs::exists(results.path / name, ignored)) files.push_back(results.path / name);
+  add_files(results.path, is_body, files);
   add_files(results.frames(), is_frame, files);
   add_files(results.pictures(), is_picture, files);
   return files;

@@ -29,6 +29,10 @@ struct ResultsFolder {
   std::filesystem::path pictures() const { return path / "pictures"; }
   std::filesystem::path mechanistic() const { return path / "mechanistic.csv"; } // of the deck, not of a run
   std::filesystem::path tool() const { return path / "tool.stl"; }
+  // The file that a body of the deck was filled from; kind: stl or mesh.
+  std::filesystem::path body(int row, const std::string& kind) const {
+    return path / ("body_" + std::to_string(row + 1) + "." + kind);
+  }
   std::filesystem::path tool_heat() const { return path / "tool_heat.h5"; } // at the end of the run
 };
 

@@ -1,4 +1,4 @@
-#include "src/geometry/lattice.hpp"
+#include "src/geometry/body_file.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -185,6 +185,8 @@ HexSet fill_shell(const Shape& shape) {
 } // namespace
 
 HexSet fill_hexes(const Shape& shape) {
+  if (shape.body->shape == BodyShape::stl) return fill_hexes_of_stl(shape);
+  if (shape.body->shape == BodyShape::mesh) return fill_hexes_of_mesh(shape);
   if (shape.body->shape == BodyShape::cylinder) return extrude(shape);
   if (shape.body->shape == BodyShape::sphere) return fill_shell(shape);
   return Box(shape).fill();

@@ -1,4 +1,4 @@
-#include "src/geometry/lattice.hpp"
+#include "src/geometry/body_file.hpp"
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +11,7 @@ using Index = std::array<int, 3>;
 struct Cell {
   Point centre{0, 0, 0};
   double volume = 0, gap = 0;
-  bool inside = true; // cubic cells of a sphere may lie outside
+  bool inside = true; // cubic cells of a sphere or an stl may lie outside
 };
 
 // The lattice of a shape, defined for cells outside it as well.
@@ -34,6 +34,11 @@ class Cells {
     if (body.shape == BodyShape::block) return cubic(i, {body.size[0], body.size[1], body.size[2]}, origin);
     if (body.shape == BodyShape::ring) return polar(i);
     if (round()) return concentric(i);
+    if (shape.file) {
+      Cell c = cubic(i, shape.file->box.sizes(), shape.file->box.min());
+      c.inside = shape.signed_distance(c.centre) < 0;
+      return c;
+    }
     const double R = body.outer_radius;
     Cell c = cubic(i, {2 * R, 2 * R, 2 * R}, origin - Point(R, R, R));
     const double r = (c.centre - origin).norm();
@@ -141,6 +146,8 @@ double sum(const std::vector<double>& values) {
 } // namespace
 
 PointSet fill_points(const Shape& shape) {
+  if (shape.body->shape == BodyShape::stl) return fill_points_of_stl(shape);
+  if (shape.body->shape == BodyShape::mesh) return fill_points_of_mesh(shape);
   PointSet set;
   visit_cells(shape, 0, [&](const Index& i, const Cell& c) {
     if (!c.inside) return;
@@ -157,11 +164,12 @@ PointSet fill_points(const Shape& shape) {
 }
 
 PointSet continue_points(const Shape& shape, int layers) {
+  if (shape.body->shape == BodyShape::mesh) return continue_points_of_mesh(shape, layers);
   PointSet set;
-  const bool sphere = shape.body->shape == BodyShape::sphere;
+  const bool clipped = shape.body->shape == BodyShape::sphere || shape.body->shape == BodyShape::stl;
   visit_cells(shape, layers, [&](const Index& i, const Cell& c) {
-    const bool own = sphere ? c.inside : within(shape, i);
-    if (own || (!sphere && !c.inside)) return;
+    const bool own = clipped ? c.inside : within(shape, i);
+    if (own || (!clipped && !c.inside)) return;
     set.position.push_back(c.centre), set.volume.push_back(c.volume);
   });
   return set;

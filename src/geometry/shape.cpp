@@ -1,4 +1,5 @@
 #include "src/geometry/shape.hpp"
+#include "src/geometry/body_file.hpp"
 #include "src/geometry/memory.hpp"
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,11 @@ constexpr double index_limit = std::numeric_limits<int>::max() / 8; // 8 corners
 double sector(const BodyDeck& b) { return b.end_angle - b.start_angle; }
 
 // Extents along the directions of the lattice, m.
-Triple extents(const BodyDeck& b) {
+Triple extents(const Deck& deck, const BodyDeck& b) {
+  if (b.has_file()) {
+    const Point size = read_body_file(deck, b)->box.sizes();
+    return {size.x(), size.y(), size.z()};
+  }
   if (b.shape == BodyShape::block) return b.size;
   if (b.shape == BodyShape::ring)
     return {sector(b) * 0.5 * (b.inner_radius + b.outer_radius), b.height, b.outer_radius - b.inner_radius};
@@ -38,6 +43,10 @@ Triple extents(const BodyDeck& b) {
 
 Triple find_cells(const Deck& deck, const BodyDeck& b) {
   Triple n{};
+  if (b.shape == BodyShape::mesh) {
+    const auto file = read_body_file(deck, b);
+    return {double(std::max(file->points.position.size(), file->hexes.hex.size())), 1, 1};
+  }
   if (b.cells) {
     for (int d = 0; d < 3; ++d) n[d] = (*b.cells)[d];
     if (b.shape == BodyShape::cylinder) {
@@ -48,7 +57,7 @@ Triple find_cells(const Deck& deck, const BodyDeck& b) {
     }
     return n;
   }
-  const Triple size = extents(b);
+  const Triple size = extents(deck, b);
   for (int d = 0; d < 3; ++d) {
     n[d] = std::round(size[d] / *b.spacing);
     if (n[d] < 1)
@@ -62,7 +71,11 @@ Triple find_cells(const Deck& deck, const BodyDeck& b) {
 
 namespace {
 
-double cells_of(const BodyDeck& b, const Triple& n) {
+double cells_of(const Deck& deck, const BodyDeck& b, const Triple& n) {
+  if (b.shape == BodyShape::stl) {
+    const auto file = read_body_file(deck, b);
+    return n[0] * n[1] * n[2] * file->volume / file->box.volume();
+  }
   if (b.shape == BodyShape::cylinder)
     return b.fill == Fill::particles ? pi / 4 * n[0] * n[0] * n[1] : n[0] * n[0] * n[1];
   if (b.shape == BodyShape::sphere) {
@@ -92,7 +105,8 @@ void check_meshable(const Deck& deck, const BodyDeck& b, const Triple& n) {
 // Kernels are round: along the long edges particles would not see each other, across they would see
 // thousands.
 void check_cell_shape(const Deck& deck, const BodyDeck& body, const Triple& n) {
-  Triple edge = extents(body);
+  if (body.shape == BodyShape::mesh) return;
+  Triple edge = extents(deck, body);
   for (std::size_t d = 0; d < 3; ++d) edge[d] /= n[d];
   const double most = body.fill == Fill::particles ? 100 : 1000;
   const auto [least, largest] = std::minmax_element(edge.begin(), edge.end());
@@ -107,7 +121,24 @@ void check_cell_shape(const Deck& deck, const BodyDeck& body, const Triple& n) {
 
 } // namespace
 
-double count_cells(const Deck& deck, const BodyDeck& body) { return cells_of(body, find_cells(deck, body)); }
+double count_cells(const Deck& deck, const BodyDeck& body) {
+  return cells_of(deck, body, find_cells(deck, body));
+}
+
+std::array<Triple, 2> find_box(const Deck& deck, const BodyDeck& b) {
+  const auto around = [&](double radius, double low, double high) -> std::array<Triple, 2> {
+    return {{{b.origin[0] - radius, b.origin[1] - radius, b.origin[2] + low},
+             {b.origin[0] + radius, b.origin[1] + radius, b.origin[2] + high}}};
+  };
+  if (b.has_file()) {
+    const Eigen::AlignedBox3d box = read_body_file(deck, b)->box;
+    return {{{box.min().x(), box.min().y(), box.min().z()}, {box.max().x(), box.max().y(), box.max().z()}}};
+  }
+  if (b.shape == BodyShape::block)
+    return {{b.origin, {b.origin[0] + b.size[0], b.origin[1] + b.size[1], b.origin[2] + b.size[2]}}};
+  if (b.shape == BodyShape::sphere) return around(b.outer_radius, -b.outer_radius, b.outer_radius);
+  return around(b.shape == BodyShape::cylinder ? b.radius : b.outer_radius, 0, b.height);
+}
 
 // Of the machine, or what its administrator leaves to this group of processes.
 double machine_memory() {
@@ -143,16 +174,18 @@ Shape make_shape(const Deck& deck, const BodyDeck& body) {
   const Triple n = find_cells(deck, body);
   check_meshable(deck, body, n);
   check_cell_shape(deck, body, n);
-  const double count = cells_of(body, n);
+  const double count = cells_of(deck, body, n);
   const double memory = machine_memory();
-  if (!(count < index_limit && count * bytes_per_cell < memory))
+  const double looked_at = body.shape == BodyShape::stl ? n[0] * n[1] * n[2] : count;
+  if (!(count < index_limit && looked_at < index_limit && count * bytes_per_cell < memory))
     reject(
         deck, body, body.cells ? "cells" : "spacing",
         fmt::format("makes {:.4g} {}, which need {:.3g} GiB: expected what fits into the {:.3g} GiB of this "
                     "machine. Make the cells larger or the body smaller",
                     count, word_of(body.fill), count * bytes_per_cell / (1 << 30), memory / (1 << 30)));
   Shape shape;
-  shape.body = &body;
+  shape.deck = &deck, shape.body = &body;
+  if (body.has_file()) shape.file = read_body_file(deck, body);
   for (int d = 0; d < 3; ++d) shape.cells[d] = int(n[d]);
   if (body.shape != BodyShape::ring) return shape;
 
@@ -182,6 +215,7 @@ Shape make_shape(const Deck& deck, const BodyDeck& body) {
 
 double Shape::volume() const {
   const BodyDeck& b = *body;
+  if (file) return file->volume;
   const auto cube = [](double r) { return r * r * r; };
   if (b.shape == BodyShape::block) return b.size[0] * b.size[1] * b.size[2];
   if (b.shape == BodyShape::cylinder) return pi * b.radius * b.radius * b.height;
@@ -190,6 +224,7 @@ double Shape::volume() const {
 }
 
 double Shape::signed_distance(const Point& x) const {
+  if (file) return file->signed_distance(x);
   const BodyDeck& b = *body;
   const Point r = x - Point(b.origin[0], b.origin[1], b.origin[2]);
   if (b.shape == BodyShape::block) {
@@ -216,7 +251,9 @@ double Shape::signed_distance(const Point& x) const {
 }
 
 std::array<std::array<std::string, 2>, 3> Shape::face_names() const {
-  if (body->shape == BodyShape::block) return {{{"x_min", "x_max"}, {"y_min", "y_max"}, {"z_min", "z_max"}}};
+  if (body->shape == BodyShape::mesh) return {};
+  if (body->shape == BodyShape::block || body->shape == BodyShape::stl)
+    return {{{"x_min", "x_max"}, {"y_min", "y_max"}, {"z_min", "z_max"}}};
   if (body->shape == BodyShape::cylinder) return {{{"", ""}, {"bottom", "top"}, {"", "side"}}};
   if (body->shape == BodyShape::sphere) return {{{"", ""}, {"", ""}, {"inner", "outer"}}};
   if (closed) return {{{"", ""}, {"bottom", "top"}, {"inner", "outer"}}};
@@ -224,7 +261,7 @@ std::array<std::array<std::string, 2>, 3> Shape::face_names() const {
 }
 
 bool Shape::is_plane(const std::string& face) const {
-  return face != "inner" && face != "outer" && face != "side";
+  return !file && face != "inner" && face != "outer" && face != "side";
 }
 
 Plane Shape::plane(const std::string& face) const {

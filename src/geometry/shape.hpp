@@ -3,6 +3,7 @@
 #include "src/deck/deck.hpp"
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 
 namespace swarf {
 
@@ -17,17 +18,22 @@ struct Plane {
   double offset;
 };
 
+struct BodyFile; // what the file of a body holds, see body_file.hpp
+
 // How far out the inner surface of a ring lies, at an angle about its axis and a height in the scene, m.
 using InnerSurface = std::function<double(double angle, double z)>;
 
 struct Shape {
+  const Deck* deck = nullptr; // for messages
   const BodyDeck* body = nullptr;
-  // Directions: block x, y, z; ring around, axial, radial; cylinder across, axial, across; sphere across
-  // (solid lattice) or along an edge of the cube, along another, radial (hexes).
+  // Directions: block, stl (of its box) x, y, z; ring around, axial, radial; cylinder across, axial, across;
+  // sphere across (solid lattice) or along an edge of the cube, along another, radial (hexes); mesh: all in
+  // the first.
   std::array<int, 3> cells{};
-  InnerSurface inner;     // rings only
-  double inner_least = 0; // least radius of that surface
-  bool closed = false;    // a ring of a whole turn
+  std::shared_ptr<const BodyFile> file; // stl, mesh
+  InnerSurface inner;                   // rings only
+  double inner_least = 0;               // least radius of that surface
+  bool closed = false;                  // a ring of a whole turn
 
   // Negative inside; outside at most the distance. Bent surfaces are exact, not the mesh's chords.
   double signed_distance(const Point& x) const;
@@ -42,6 +48,9 @@ struct Shape {
 // Throws DeckError for a body too small for one cell, too many cells for this machine, or a shape that cannot
 // be meshed.
 Shape make_shape(const Deck& deck, const BodyDeck& body);
+
+// Corners of least and greatest x, y, z.
+std::array<Triple, 2> find_box(const Deck& deck, const BodyDeck& body);
 
 // Along the directions of the lattice, see Shape::cells; as reals: they may be absurd.
 Triple find_cells(const Deck& deck, const BodyDeck& body);

@@ -108,7 +108,7 @@ std::vector<std::vector<double>> block_means(const HistoryTable& history,
 Deck deck_of(const fs::path& folder) {
   const PassFolder pass{folder};
   const ResultsFolder run{folder};
-  return read_deck((fs::exists(pass.table()) ? pass.deck() : run.deck()).string(), run.tool().string());
+  return read_deck((fs::exists(pass.table()) ? pass.deck() : run.deck()).string(), run.path.string());
 }
 
 void add_mill_run(Fit& fit, const fs::path& folder, const Deck& deck, MechanisticDeck model) {

@@ -1,4 +1,5 @@
 #include "src/mechanistic/mill_edge.hpp"
+#include "src/geometry/shape.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -15,12 +16,8 @@ double wrap(double angle) { return angle - 2 * pi * std::floor(angle / (2 * pi))
 double overlap(const Deck& deck) {
   double low = 1e300, high = -1e300;
   for (const BodyDeck& body : deck.bodies) {
-    const bool ball = body.shape == BodyShape::sphere;
-    const double height = body.shape == BodyShape::block ? body.size[2]
-                          : ball                         ? 2 * body.outer_radius
-                                                         : body.height;
-    const double base = body.origin[2] - (ball ? body.outer_radius : 0);
-    low = std::min(low, base), high = std::max(high, base + height);
+    const auto [least, greatest] = find_box(deck, body);
+    low = std::min(low, least[2]), high = std::max(high, greatest[2]);
   }
   const double end = deck.tool->position[2];
   return std::min(high, end + deck.tool->length) - std::max(low, end);

@@ -27,7 +27,11 @@ std::string restart_text(const Deck& deck, const Scene& scene) {
     physics.run.end_time.reset(), physics.run.end_immersion.reset();
   physics.run.threads = 0, physics.run.energy_tolerance = physics.run.energy_limit = 0;
   if (physics.tool) physics.tool->file.clear();
+  for (BodyDeck& body : physics.bodies) body.file.clear();
   std::string text = resolved_deck(physics);
+  for (std::size_t b = 0; b < deck.bodies.size(); ++b)
+    if (deck.bodies[b].has_file())
+      text += fmt::format("\n[\"the file of body {}\"]\nholds = \"{}\"\n", b + 1, scene.body_files.at(b));
   if (!deck.tool) return text;
   return text + fmt::format("\n[\"the tool's surface\"]\nfacets = \"{}\"\n", facets_text(scene));
 }

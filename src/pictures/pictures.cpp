@@ -27,7 +27,7 @@ void draw_plots(const std::string& results) {
   if (has_windows) draw_windows(results);
   if (has_windows && !std::filesystem::exists(ResultsFolder{results}.history())) return;
   const ResultsFolder folder = open_results(results);
-  const Deck deck = read_deck(folder.deck().string(), folder.tool().string());
+  const Deck deck = read_deck(folder.deck().string(), folder.path.string());
   make_folder(folder.pictures());
   plot_forces(folder, folder.pictures() / "force.png", deck.output.published, deck.output.filter_frequency);
   plot_energies(folder, folder.pictures() / "energy.png");

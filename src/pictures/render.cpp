@@ -161,7 +161,7 @@ void draw_frames(const ResultsFolder& results, const std::vector<FrameEntry>& en
 
 void render_film(const std::string& results_folder) {
   const ResultsFolder results = open_results(results_folder);
-  const PictureOptions options = options_of(read_deck(results.deck().string(), results.tool().string()));
+  const PictureOptions options = options_of(read_deck(results.deck().string(), results.path.string()));
   const ShownField field = describe_field(options.field);
   const std::vector<LoadedFrame> frames =
       load_frames(results, list_sound(results, read_frame_list(results)), field);
@@ -179,7 +179,7 @@ void render_film(const std::string& results_folder) {
 
 bool render_strip(const std::string& results_folder) {
   const ResultsFolder results = open_results(results_folder);
-  const Deck deck = read_deck(results.deck().string(), results.tool().string());
+  const Deck deck = read_deck(results.deck().string(), results.path.string());
   if (const std::string why_not = open_display(); !why_not.empty()) {
     complain("no pictures of the chip: {}", why_not);
     return false;

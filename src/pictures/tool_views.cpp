@@ -176,7 +176,7 @@ void draw(const std::vector<SeenTool>& frames, const ShownField& field, const st
 
 void render_tool(const std::string& results_folder, const std::string& name) {
   const ResultsFolder results = open_results(results_folder);
-  const Deck deck = read_deck(results.deck().string(), results.tool().string());
+  const Deck deck = read_deck(results.deck().string(), results.path.string());
   if (!deck.tool) throw ResultsError(results_folder + ": the run had no tool to look at");
   if (const std::string why_not = open_display(); !why_not.empty()) throw ResultsError(why_not);
   const ShownField field = describe_field(!name.empty()                 ? name

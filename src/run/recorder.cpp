@@ -1,7 +1,7 @@
 #include "src/run/recorder.hpp"
+#include "src/geometry/flat_facets.hpp"
 #include "src/output/restart_deck.hpp"
 #include "src/output/write_hdf5.hpp"
-#include "src/tool/flat_facets.hpp"
 #include <cmath>
 #include <fmt/ranges.h>
 
@@ -25,10 +25,13 @@ double Recorder::next_after(double time, double interval) const {
   return (std::floor(time / interval * (1 + 1e-12)) + 1) * interval;
 }
 
-// The folder has all that plots, pictures and restarts need: it may be moved, the deck and its STL may go.
+// The folder has all that plots, pictures and restarts need: it may be moved, the deck and its files may go.
 void Recorder::keep_deck() const {
   Deck kept = deck;
   if (kept.tool && kept.tool->kind == ToolKind::stl) kept.tool->file = folder.tool().filename().string();
+  for (int row = 0; row < int(kept.bodies.size()); ++row)
+    if (BodyDeck& body = kept.bodies[std::size_t(row)]; body.has_file())
+      body.file = folder.body(row, word_of(body.shape)).filename().string();
   write_file(folder.deck(), resolved_deck(kept));
 }
 
@@ -39,9 +42,18 @@ void Recorder::keep_tool() const {
     write_stl(make_tool_surface(*deck.tool, ""), folder.tool().string());
 }
 
+// To the last bit, in their own units.
+void Recorder::keep_bodies() const {
+  for (int row = 0; row < int(deck.bodies.size()); ++row)
+    if (const BodyDeck& body = deck.bodies[std::size_t(row)]; body.has_file())
+      write_file(folder.body(row, word_of(body.shape)),
+                 body.shape == BodyShape::stl ? read_stl_bytes(body.file) : read_text(body.file));
+}
+
 void Recorder::begin() {
   keep_deck();
   keep_tool();
+  keep_bodies();
   history = std::make_unique<HistoryFile>(folder.history(), teeth); // before start(), which may find a fault
   frames = std::make_unique<FrameSeries>(folder);
   simulation.start();

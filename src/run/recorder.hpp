@@ -30,6 +30,7 @@ class Recorder {
   void check_deck_of(const CheckpointReader& in) const;
   void keep_deck() const;
   void keep_tool() const;
+  void keep_bodies() const;
   double next_after(double time, double interval) const;
 
   const Deck& deck;

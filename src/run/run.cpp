@@ -82,6 +82,8 @@ void warn_of_retired(const Simulation& simulation) {
 std::vector<std::string> inputs_of(const Deck& deck) {
   std::vector<std::string> inputs{deck.file};
   if (deck.tool && !deck.tool->file.empty()) inputs.push_back(deck.tool->file);
+  for (const BodyDeck& body : deck.bodies)
+    if (body.has_file()) inputs.push_back(body.file);
   return inputs;
 }
 
@@ -104,7 +106,7 @@ std::string default_output(const std::string& deck_file) {
 
 Deck deck_to_run(const RunOptions& options) {
   const std::string where = options.output.empty() ? default_output(options.deck) : options.output;
-  Deck deck = read_deck(options.deck, options.resume ? ResultsFolder{where}.tool().string() : "");
+  Deck deck = read_deck(options.deck, options.resume ? where : "");
   if (options.whole) deck.windows.reset();
   if (options.windows)
     deck.windows = read_windows_option(*options.windows, deck.windows.value_or(WindowsDeck()));

@@ -27,7 +27,8 @@ double chord_depth(const FilledBody& body) {
 Centres find_centres(const FilledBody& body) {
   Centres c;
   const bool clipped =
-      body.has_particles() && body.deck->shape == BodyShape::sphere; // centres may lie on its surface
+      body.has_particles() && (body.deck->shape == BodyShape::sphere || body.deck->has_file());
+  // Centres may lie on its surface.
   const bool straight =
       body.deck->shape == BodyShape::block || body.deck->shape == BodyShape::ring; // hexes are nearly bricks
   c.position = body.points.position;

@@ -1,5 +1,6 @@
 #include "src/scene/scene.hpp"
 #include "src/deck/lines.hpp"
+#include "src/geometry/body_file.hpp"
 #include "src/geometry/upload.hpp"
 #include "src/scene/hex_conversion.hpp"
 #include "src/scene/parts.hpp"
@@ -243,6 +244,7 @@ Scene build_scene(const Deck& deck) {
   check_overlap(deck, bodies);
 
   Scene scene;
+  for (const FilledBody& b : bodies) scene.body_files.push_back(b.shape.file ? b.shape.file->contents : "");
   const double support = 2 * largest_smoothing_length(deck, bodies);
   scene.skin =
       deck.particles.kernel_frame == KernelFrame::initial ? 0 : deck.particles.skin * support; // nobody moves

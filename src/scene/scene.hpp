@@ -33,6 +33,7 @@ struct Scene {
   HeatedNodes heated_nodes;
   std::vector<std::array<Triple, 3>> tool_facets; // in the tool's frame; empty without a tool
   int collapsed_facets = 0;                       // of the tool's file, left out
+  std::vector<std::string> body_files; // what each body's file holds, with a checksum; "": it has none
   Tool tool;
   double patch_spacing = 0; // m, that its surface's patches are made for, and
   double patch_end = 0;     // s, until when it was asked where the work comes

@@ -55,7 +55,7 @@ void write_numbers(const ResultsFolder& results, const WorkSurface& w, bool lift
 
 SurfaceReport describe_surface(const std::string& results_folder, double share) {
   const ResultsFolder results = open_results(results_folder);
-  const Deck deck = read_deck(results.deck().string(), results.tool().string());
+  const Deck deck = read_deck(results.deck().string(), results.path.string());
   const MachinedSurface surface(deck);
   const auto frames = read_frame_list(results);
   if (frames.empty()) throw ResultsError(results_folder + ": has no frames, so nothing says what was left");

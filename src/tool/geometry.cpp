@@ -1,5 +1,5 @@
 #include "src/tool/geometry.hpp"
-#include "src/tool/flat_facets.hpp"
+#include "src/geometry/flat_facets.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,9 @@
 // The surface of the tool, its motion, and the device structure made from it. Lengths in m, tool's frame.
 #pragma once
-#include "src/deck/deck.hpp"
+#include "src/geometry/facet_surface.hpp"
 #include "swarf/tool/tool.hpp"
 
 namespace swarf {
-
-// A closed surface; corners of a facet are counter-clockwise seen from outside.
-struct FacetSurface {
-  std::vector<Triple> vertices;
-  std::vector<std::array<int, 3>> facets;
-  int collapsed = 0; // facets of a file that were left out, for two of their corners were one
-};
 
 // Right-hand cutter that turns clockwise seen from +z, flat end face at z = 0, shank end at z = length.
 // In the section z = 0, tooth k's edge has its outermost point at diameter / 2, k * 360 / flutes
@@ -26,18 +19,6 @@ FacetSurface make_wedge(const ToolDeck& tool);
 
 // Square plate: front face, with outward `normal`, centred on the origin; a quarter of its size thick.
 FacetSurface make_wall(const ToolDeck& tool);
-
-// Binary or ASCII, as programs write them; equal corners are merged, stored normals are not read. Throws
-// DeckError.
-FacetSurface read_stl(const std::string& file, double metres_per_unit);
-
-// Binary, in metres, facets in order: equal surfaces give equal files. Throws ResultsError.
-void write_stl(const FacetSurface& surface, const std::string& file);
-
-// Refuses open edges, facets turned against their neighbours, facets without area and parts turned inside
-// out. Throws DeckError that begins with `name` and names the facet (from 1, as in the file), its corners and
-// the cure. Does not look for parts that cut through each other.
-void check_surface(const FacetSurface& surface, const std::string& name);
 
 // Any of the above by tool.kind, checked; a relative STL file is looked for in `folder`, the deck's.
 FacetSurface make_tool_surface(const ToolDeck& tool, const std::string& folder);

@@ -19,10 +19,10 @@ inline const Words& words<Law>() {
   return all;
 }
 
-enum class BodyShape { block, cylinder, ring, sphere };
+enum class BodyShape { block, cylinder, ring, sphere, stl, mesh };
 template <>
 inline const Words& words<BodyShape>() {
-  static const Words all = {"block", "cylinder", "ring", "sphere"};
+  static const Words all = {"block", "cylinder", "ring", "sphere", "stl", "mesh"};
   return all;
 }
 

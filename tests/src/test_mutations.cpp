@@ -2,7 +2,7 @@
 // more. After Miller, Fredriksen & So, An empirical study of the reliability of UNIX utilities, CACM 33
 // (1990) 32.
 #include "src/files/results.hpp"
-#include "src/geometry/shape.hpp"
+#include "src/geometry/body_file.hpp"
 #include "src/scene/scene.hpp"
 #include "src/tool/geometry.hpp"
 #include "tests/support/chance.hpp"
@@ -97,4 +97,22 @@ TEST(Mutations, of_stl_files) {
   }
   EXPECT_GT(tally.refused, 200);
   EXPECT_GT(tally.taken, 10);
+}
+
+TEST(Mutations, of_mesh_files) {
+  const TemporaryFolder folder;
+  Chance chance(3);
+  const std::string hexes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n"
+                            "7, 1, 1, 1\n8, 0, 1, 1\n*ELEMENT, TYPE=C3D8R\n1, 1, 2, 3, 4,\n5, 6, 7, 8\n"
+                            "*NSET, NSET=LEFT, GENERATE\n1, 8, 3\n";
+  const std::string particles = "# x, y, z, volume\n0, 0, 0, 1, left\n1, 0, 0, 1\n1.0E0, 1., 0, 1.5D0\n";
+  Tally tally;
+  for (int k = 0; k < 800; ++k) {
+    BodyDeck body(BodyShape::mesh, k % 2 ? Fill::particles : Fill::hexes);
+    body.file = folder.write("m.txt", spoil(k % 2 ? particles : hexes, chance)), body.file_scale = 1e-3;
+    SCOPED_TRACE(k);
+    tally.count<DeckError>([&] { read_mesh(body, body.file); });
+  }
+  EXPECT_GT(tally.refused, 200);
+  EXPECT_GT(tally.taken, 100);
 }

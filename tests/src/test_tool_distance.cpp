@@ -13,34 +13,6 @@
 namespace swarf::test {
 namespace {
 
-// Sphere by halving the edges of an octahedron.
-FacetSurface make_sphere(double radius, int halvings) {
-  FacetSurface s;
-  s.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  s.facets = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  for (int h = 0; h < halvings; ++h) {
-    std::vector<std::array<int, 3>> finer;
-    for (const auto& f : s.facets) {
-      int m[3];
-      for (int k = 0; k < 3; ++k) {
-        Triple middle;
-        for (int d = 0; d < 3; ++d) middle[d] = s.vertices[f[k]][d] + s.vertices[f[(k + 1) % 3]][d];
-        const double length = std::hypot(middle[0], middle[1], middle[2]);
-        for (double& x : middle) x /= length;
-        const auto found = std::find(s.vertices.begin(), s.vertices.end(), middle);
-        m[k] = int(found - s.vertices.begin());
-        if (found == s.vertices.end()) s.vertices.push_back(middle);
-      }
-      finer.insert(finer.end(),
-                   {{f[0], m[0], m[2]}, {m[0], f[1], m[1]}, {m[2], m[1], f[2]}, {m[0], m[1], m[2]}});
-    }
-    s.facets = finer;
-  }
-  for (Triple& v : s.vertices)
-    for (double& x : v) x *= radius;
-  return s;
-}
-
 View<Vector3*> upload_points(const std::vector<Triple>& points) {
   const View<Vector3*> x("x", points.size());
   const auto host = Kokkos::create_mirror_view(x);

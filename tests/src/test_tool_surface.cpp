@@ -1,6 +1,6 @@
 // Faults of surfaces and STL files, each with the facet named; and files that come back as they went.
 #include "src/files/results.hpp"
-#include "src/tool/flat_facets.hpp"
+#include "src/geometry/flat_facets.hpp"
 #include "tool_shapes.hpp"
 
 #include "support/temporary_folder.hpp"

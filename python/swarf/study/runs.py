@@ -45,6 +45,9 @@ def write_deck(study, folder, task):
     deck = study.deck_of(task)
     if "file" in deck.get("tool", {}):  # relative to the deck of the study
         deck["tool"]["file"] = str((study.deck_file.parent / deck["tool"]["file"]).resolve())
+    for body in deck.get("body", []):
+        if "file" in body:
+            body["file"] = str((study.deck_file.parent / body["file"]).resolve())
     if path.exists() and decks.read(path) == deck:
         return
     shutil.rmtree(run, ignore_errors=True)

@@ -1,7 +1,7 @@
 // STL: binary (80 bytes, count, 50 bytes per facet, little endian; what follows is not read) or ASCII. The
 // stored normals are not read: the order of the corners tells the outside.
 #include "src/files/results.hpp"
-#include "src/tool/flat_facets.hpp"
+#include "src/geometry/flat_facets.hpp"
 
 #include <fmt/format.h>
 

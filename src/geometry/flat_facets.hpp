@@ -1,6 +1,6 @@
 // Facets without area, and what of a file is its surface.
 #pragma once
-#include "src/tool/geometry.hpp"
+#include "src/geometry/facet_surface.hpp"
 
 namespace swarf {
 

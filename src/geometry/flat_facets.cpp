@@ -1,5 +1,5 @@
 // Facets without area, which some programs leave between others.
-#include "src/tool/flat_facets.hpp"
+#include "src/geometry/flat_facets.hpp"
 
 #include <algorithm>
 #include <cmath>

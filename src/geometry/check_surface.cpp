@@ -1,4 +1,4 @@
-#include "src/tool/flat_facets.hpp"
+#include "src/geometry/flat_facets.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,1 @@
+"""swarf import: a deck from a model that was written for Abaqus."""
