@@ -103,7 +103,7 @@ const Keys<RunDeck>& run_keys() {
        "when the run ends; this or end_immersion"},
       {"end_immersion", &R::end_immersion, D::angle, Bounds{-360, 3.6e6}, optional, always,
        "immersion angle of the first tooth where the run ends; needs a spindle"},
-      {"courant", &R::courant, D::none, Bounds{0, 1, true, false}, "0.5", always,
+      {"courant", &R::courant, D::none, Bounds{0, 1, true, false}, "0.8", always,
        "step over the stable step, 2 over the highest frequency of the particles and of the hexes"},
       {"mass_factor", &R::mass_factor, D::none, Bounds{1, 1e8}, "1.0", always,
        "inertia is that of this many times the mass: the step grows with its root, heat and rates stay "

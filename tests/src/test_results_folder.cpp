@@ -52,6 +52,7 @@ file_scale = "1 mm"
 [contact]
 friction = 0.0
 [run]
+courant = 0.3
 end_time = "10 ns"
 )";
 }

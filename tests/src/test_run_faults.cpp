@@ -211,15 +211,15 @@ fill = "hexes"
 material = "m"
 size = ["4 mm", "4 mm", "4 mm"]
 cells = [4, 4, 4]
-velocity = ["-50 m/s", "0 m/s", "0 m/s"]
+velocity = ["-5000 m/s", "0 m/s", "0 m/s"]
 [body.faces]
 x_min = "fixed"
 [hexes]
 viscosity_linear = 0
 viscosity_quadratic = 0
 [run]
-courant = 1
-end_time = "10 us"
+end_time = "2 us"
+energy_limit = "1e6 %"
 [output]
 history_steps = 1000000
 )"),

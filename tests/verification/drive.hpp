@@ -22,10 +22,11 @@ inline Deck shipped_defaults() {
 struct Stabiliser {
   double stiffness = 0;
 
-  // What nothing holds in tension tears, and its shreds outrun the looks at the highest mode.
+  // Without a stiffness of 1 soft material tears in tension, and its shreds outrun the looks at the highest
+  // mode: at the default Courant number such a run ends as unstable.
   void apply(Deck& deck) const {
     deck.particles.hourglass_stiffness = stiffness;
-    if (stiffness == 0) deck.run.courant = 0.3;
+    if (stiffness < 1) deck.run.courant = 0.3;
   }
   std::string text() const {
     char text[64];
