@@ -216,7 +216,8 @@ void Simulation::check_numbers(const CheckpointReader& in) const {
   in.require(steps >= 0, "steps"), in.require(rebuild_count >= 0, "rebuild_count");
   in.require(next_check >= steps && next_check <= steps + most_unseen_steps, "next_check");
   in.require(steps_at_sample >= 0 && steps_at_sample <= steps, "steps_at_sample");
-  in.require(is_time(particle_step), "particle_step"), in.require(is_time(wave_step), "wave_step");
+  in.require(particle_step >= 0, "particle_step"),
+      in.require(wave_step >= 0, "wave_step"); // infinity: no limit
   in.require(mode_interval >= 1 && mode_interval <= most_steps_between_modes, "mode_interval");
   in.require(next_mode >= 0 && next_mode <= steps + mode_interval, "next_mode");
   in.require(is_time(pressure_pace.waited), "pressure_time");

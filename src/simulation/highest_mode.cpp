@@ -4,6 +4,7 @@
 // disorder has brought near.
 #include "src/simulation/simulation.hpp"
 #include "swarf/hexes/hex8.hpp"
+#include <cmath>
 
 namespace swarf {
 
@@ -13,7 +14,8 @@ namespace swarf {
 void Simulation::follow_highest_mode() {
   if (steps < next_mode || particle_method.initial_frame || model.particles.count == 0) return;
   const double before = wave_step;
-  find_highest_mode(1);
+  const bool known = before > 0 && std::isfinite(before); // not where the first particles have just come
+  find_highest_mode(known ? 1 : first_iterations);
   mode_interval = wave_step < 0.998 * before ? 1 : std::min(2 * mode_interval, most_steps_between_modes);
   next_mode = steps + mode_interval;
 }

@@ -50,7 +50,7 @@ void Simulation::step() {
   move();
   timer.mark("integrate");
   if (shift_is_due()) shift();
-  if (conversion.due || freezing.due) take_contact_heat(), take_surface_sums();
+  if (conversion.due || freezing.due) take_contact_heat(), take_surface_sums(), next_mode = steps;
   if (conversion.due) convert();
   if (freezing.due) freeze();
   if (lists_due) rebuild_lists();
@@ -64,7 +64,7 @@ void Simulation::step() {
   if (conducts) conduct();
   kick_half();
   if (deck.sleep.distance) fade_waves();
-  if (wave_step > 0 && !particle_method.initial_frame) // it may have fallen since the last check
+  if (wave_step > 0 && !particle_method.initial_frame && model.particles.count > 0) // it may have fallen
     step_size = std::min(step_size, deck.run.courant * wave_step);
   timer.mark("integrate");
   ++steps, moved_particles += model.particles.count;
