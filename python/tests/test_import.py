@@ -239,11 +239,37 @@ def test_a_file_without_parts(tmp_path):
     ([("material=STEEL-42\n0.25", "material=STEEL-42\n,")], "has no characteristic length"),
     ([("7.8e-9", "heavy")], '*DENSITY: expected a number, got "heavy"'),
     ([("1, 1, 2, 3, 4, 5, 6, 7, 8", "1, 1, 2, 3, 4, 5, 6, 7, 80")], "there is no node 80 before it"),
+    ([("*Node", "*Node, system=C")], ":3: *NODE: SYSTEM is not followed"),
+    ([("*Material, name=Steel-42", "*Material")], "*MATERIAL: expected NAME="),
+    ([("7.8e-9", "nan")], '*DENSITY: expected a number, got "nan"'),
+    ([(", 2e-5", ", 2e-5\n*Fixed Mass Scaling, factor=many")], '*FIXED MASS SCALING: expected a number, got "many"'),
+    ([("Tool-1.RP, 2, 6", "Tool-1.RP, 2, x")], ':116: *BOUNDARY: expected a direction, 1 to 6, got "x"'),
 ])
 def test_faults(tmp_path, pairs, words):
     with pytest.raises(ValueError) as fault:
         imported(tmp_path, edited(*pairs))
     assert words in str(fault.value)
+
+
+def test_a_later_step_changes_nothing(tmp_path):
+    later = "*Step\n*Boundary, type=VELOCITY\nWork-1.Base, 1, 3, 9.\n*Friction\n0.9,\n*End Step\n"
+    deck, converter = imported(tmp_path, MODEL + later)
+    assert deck == imported(tmp_path, MODEL)[0]
+    assert {"STEP", "BOUNDARY", "FRICTION"} <= {keyword.name for _, keyword, _ in converter.left_out()}
+
+
+def test_what_friction_is_not_of_coulomb(tmp_path):
+    deck, _ = imported(tmp_path, edited(("*Friction", "*Friction, taumax=300.")))
+    assert deck["contact"] == {"friction": 0.25, "shear_limit": "300000000 Pa"}
+    deck, converter = imported(tmp_path, edited(("*Friction\n0.25,", "*Friction, rough")))
+    assert "friction" not in deck["contact"]
+    assert any("ROUGH" in why for _, _, why in converter.left_out())
+
+
+def test_mass_scaling_of_some_elements_is_left_out(tmp_path):
+    deck, converter = imported(tmp_path, edited((", 2e-5", ", 2e-5\n*Fixed Mass Scaling, factor=100, elset=All")))
+    assert "mass_factor" not in deck["run"]
+    assert any("no ELSET" in why for _, _, why in converter.left_out())
 
 
 def test_units_and_temperature_must_be_said(tmp_path):

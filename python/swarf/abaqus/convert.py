@@ -3,7 +3,7 @@ import re
 
 from . import holds, materials, meshes
 from .model import HEXES, PARTICLES, Model
-from .reader import Fault
+from .reader import Fault, number
 
 # They say nothing by themselves.
 FRAME = {"HEADING", "STEP", "END STEP", "SURFACE INTERACTION", "CONTACT", "CONTACT INCLUSIONS", "CONTACT PAIR",
@@ -28,8 +28,11 @@ class Converter:
         self.reasons[id(keyword), line] = (keyword, line or keyword.line, why)
 
     def used(self, name):
+        """What a later step says is not in the deck."""
+        steps = 0
         for keyword in self.keywords:
-            if keyword.name == name:
+            steps += keyword.name == "STEP"
+            if keyword.name == name and steps < 2:
                 keyword.is_used = True
                 yield keyword
 
@@ -58,7 +61,7 @@ class Converter:
             zero = keyword.options.get("ABSOLUTE ZERO")
             if zero is None:
                 continue
-            said = {0.0: "K", -273.15: "degC"}.get(float(zero))
+            said = {0.0: "K", -273.15: "degC"}.get(number(keyword, keyword.line, zero))
             if said is None or self.units.temperature not in (None, said):
                 raise Fault(keyword, f"has its absolute zero at {zero}: expected 0 (K) or -273.15 (degC), as --temperature "
                                      "says")
@@ -140,8 +143,18 @@ class Converter:
                 "velocity": [self.units.a_velocity(value) for value in holds.velocity_of_tool(self)]}
 
     def _contact(self):
-        found = {}
+        found, contact = {}, {}
+        if len(self.bodies) > 1:
+            self.notes.append("[contact] between_bodies says whether bodies press each other, all alike: *CONTACT PAIR does "
+                              "not choose")
         for keyword in self.used("FRICTION"):
+            others = sorted(set(keyword.options) - {"TAUMAX"})
+            if others:
+                self.leave_out(keyword, f"{others[0]}: expected a coefficient of Coulomb friction")
+                continue
+            if "TAUMAX" in keyword.options:
+                limit = number(keyword, keyword.line, keyword.options["TAUMAX"])
+                contact["shear_limit"] = self.units.a_pressure(limit)
             found.setdefault(keyword.numbers()[0] if keyword.rows else 0.0, keyword)
             if keyword.rows and len(keyword.rows[0][1]) > 1:
                 self.notes.append(f"line {keyword.line}: of *FRICTION only the first coefficient is read, not its "
@@ -150,8 +163,8 @@ class Converter:
             raise Fault(list(found.values())[1], f"the coefficients {', '.join(map(str, found))} differ: a deck has one")
         if not found:
             self.notes.append("[contact] needs friction, and the file has no *FRICTION for it: add it")
-            return {}
-        return {"friction": next(iter(found))}
+            return contact
+        return {"friction": next(iter(found))} | contact
 
     def _run(self):
         steps = [one for one in self.keywords if one.name == "STEP"]
@@ -168,7 +181,10 @@ class Converter:
                 run["end_time"] = self.units.a_time(values[1])
                 keyword.is_used = True
             if keyword.name == "FIXED MASS SCALING" and "FACTOR" in keyword.options:
-                run["mass_factor"] = float(keyword.options["FACTOR"])
+                if "ELSET" in keyword.options:
+                    self.leave_out(keyword, "expected no ELSET: run.mass_factor is of all bodies")
+                    continue
+                run["mass_factor"] = number(keyword, keyword.line, keyword.options["FACTOR"])
                 keyword.is_used = True
         if "end_time" not in run:
             self.notes.append("[run] needs end_time, and the file has no *DYNAMIC, EXPLICIT for it: add it")

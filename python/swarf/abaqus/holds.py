@@ -13,6 +13,8 @@ def _freedoms(keyword, line, fields):
     if not word.isdigit():
         return None
     first = int(word)
+    if len(fields) > 2 and fields[2] and not fields[2].isdigit():
+        raise Fault(keyword, f'expected a direction, 1 to 6, got "{fields[2]}"', line)
     last = int(fields[2]) if len(fields) > 2 and fields[2] else first
     return tuple(range(first, last + 1)), number(keyword, line, fields[3]) if len(fields) > 3 else 0.0
 

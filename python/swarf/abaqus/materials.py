@@ -10,6 +10,8 @@ def read(keywords):
     found, current = {}, None
     for keyword in keywords:
         if keyword.name == "MATERIAL":
+            if not keyword.get("NAME"):
+                raise Fault(keyword, "expected NAME=")
             current = {}
             found[keyword.get("NAME")] = (keyword.options["NAME"], current)
             keyword.is_used = True

@@ -1,5 +1,8 @@
 """The text of an Abaqus input file as keywords: name, options and rows, each with its line."""
 import dataclasses
+import math
+
+OPTIONS = {"NODE": {"NSET"}, "ELEMENT": {"TYPE", "ELSET"}}  # others would move what stands there, or name another file
 
 
 class Fault(ValueError):
@@ -37,9 +40,12 @@ class Keyword:
 
 def number(keyword, line, text):
     try:
-        return float(text.upper().replace("D", "E")) if text else 0.0
-    except ValueError:
-        raise Fault(keyword, f'expected a number, got "{text}"', line) from None
+        value = float(text.upper().replace("D", "E")) if text else 0.0
+    except (ValueError, AttributeError):
+        value = math.nan
+    if not math.isfinite(value):
+        raise Fault(keyword, f'expected a number, got "{text}"', line)
+    return value
 
 
 def label(keyword, line, text):
@@ -60,7 +66,7 @@ def read(path):
     """All keywords of a file. "**" begins a comment; a line of options or of an element that ends with a comma goes
     on in the next one."""
     keywords, goes_on = [], False
-    for line, raw in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
+    for line, raw in enumerate(path.read_text(encoding="utf-8-sig", errors="replace").splitlines(), 1):
         text = raw.strip()
         if not text or text.startswith("**"):
             continue
@@ -86,6 +92,9 @@ def read(path):
                             "MANIFEST"):
             raise Fault(keyword, "is not followed: expected a file with all nodes and elements in it, as Abaqus/CAE "
                                  "writes it")
+        unknown = sorted(set(keyword.options) - OPTIONS.get(keyword.name, set(keyword.options)))
+        if unknown and keyword.get("SYSTEM") != "R":
+            raise Fault(keyword, f"{unknown[0]} is not followed: expected Cartesian coordinates and numbers in this file")
     return keywords
 
 
