@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <map>
 #include <set>
 #include <unordered_map>
 
@@ -37,6 +38,7 @@ class HexReader {
   HexSet set;
   std::unordered_map<long, int> node; // row of a node's number
   std::set<long> elements;
+  std::map<std::array<int, 8>, long> element_of; // nodes in ascending order
   int parts = 0;
 
   void take(const MeshKeyword& k) {
@@ -55,6 +57,12 @@ class HexReader {
                   fmt::format("*{} makes or moves nodes in a way that is not read: expected *NODE, "
                               "*ELEMENT and *NSET alone; write the mesh out, or use swarf import",
                               k.name));
+    const bool turned = k.has("SYSTEM") && upper(k.option("SYSTEM")) != "R";
+    if ((k.name == "NODE" || k.name == "ELEMENT") && (turned || k.has("INPUT") || k.has("OFFSET")))
+      refuse_line(file, k.line,
+                  fmt::format("*{} has a system of its own, a file or an offset: expected Cartesian "
+                              "coordinates and numbers in this file",
+                              k.name));
     if (k.name == "NODE") take_nodes(k);
     if (k.name == "ELEMENT") take_elements(k);
     if (k.name == "NSET") take_set(k);
@@ -69,7 +77,7 @@ class HexReader {
       Point x;
       for (std::size_t d = 0; d < 3; ++d)
         x[int(d)] = body.origin[d] + body.file_scale * number_in(row, d + 1, file);
-      if (!k.option("NSET").empty()) set.faces[k.option("NSET")].push_back(int(set.node.size()));
+      if (!k.option("NSET").empty()) members_of(k.option("NSET")).push_back(int(set.node.size()));
       set.node.push_back(x);
     }
   }
@@ -99,17 +107,31 @@ class HexReader {
       std::array<int, 8> hex{};
       for (std::size_t a = 0; a < 8; ++a) hex[a] = find_node(row, a + 1);
       set.hex.push_back(in_order(hex, label, row.line));
+      std::sort(hex.begin(), hex.end());
+      if (const auto [other, is_new] = element_of.try_emplace(hex, label); !is_new)
+        refuse_line(file, row.line,
+                    fmt::format("element {} has the nodes of element {}: expected one in each place", label,
+                                other->second));
     }
+  }
+
+  // Names are compared as Abaqus does it, whatever their letters.
+  std::vector<int>& members_of(const std::string& name) {
+    for (auto& [known, members] : set.faces)
+      if (upper(known) == upper(name)) return members;
+    return set.faces[name];
   }
 
   // All corners turned the wrong way: the layers have changed places, and change back. Some: no hex.
   std::array<int, 8> in_order(std::array<int, 8> hex, long label, int line) const {
     int wrong = 0;
+    double corners = 0; // of the Jacobian, their mean
     for (std::size_t a = 0; a < 8; ++a) {
       const auto edge = [&](int k) -> Point {
         return set.node[std::size_t(hex[std::size_t(next_corners[a][k])])] - set.node[std::size_t(hex[a])];
       };
-      wrong += edge(0).cross(edge(1)).dot(edge(2)) > 0 ? 0 : 1;
+      const double jacobian = edge(0).cross(edge(1)).dot(edge(2));
+      wrong += jacobian > 0 ? 0 : 1, corners += std::abs(jacobian) / 8;
     }
     if (wrong == 8) std::rotate(hex.begin(), hex.begin() + 4, hex.end());
     if (wrong > 0 && wrong < 8)
@@ -118,13 +140,31 @@ class HexReader {
           fmt::format("element {} is turned inside out or flat at {} of its corners: expected nodes 1 to 4 "
                       "around one side and 5 to 8 above them; mend it in the program that made the mesh",
                       label, wrong));
+    if (jacobian_in_the_middle(hex) < least_middle * corners)
+      refuse_line(
+          file, line,
+          fmt::format("element {} is twisted: expected node 5 above node 1; mend it in the program that "
+                      "made the mesh",
+                      label));
     return hex;
+  }
+
+  // Where one side is turned against the other by an angle a the section in the middle keeps cos2(a / 2):
+  // less than this share beyond 66 deg, where the sides cut through each other.
+  static constexpr double least_middle = 0.7;
+  double jacobian_in_the_middle(const std::array<int, 8>& hex) const {
+    constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+    Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
+    for (std::size_t a = 0; a < 8; ++a)
+      for (int d = 0; d < 3; ++d) edges.col(d) += 0.25 * sign[a][d] * set.node[std::size_t(hex[a])];
+    return edges.determinant();
   }
 
   void take_set(const MeshKeyword& k) {
     const std::string name = k.option("NSET");
     if (name.empty()) refuse_line(file, k.line, "has no name: expected *NSET, NSET=NAME");
-    auto& members = set.faces[name];
+    auto& members = members_of(name);
     for (const MeshRow& row : k.rows) {
       if (!k.has("GENERATE")) {
         for (std::size_t f = 0; f < row.fields.size(); ++f) members.push_back(find_node(row, f));
@@ -225,7 +265,7 @@ void name_sets(const Shape& shape, FaceMembers& sets) {
                                  [&](const std::string& name) { return upper(name) == upper(face.face); });
     if (at == known.end() || sets.at(*at).empty())
       reject(*shape.deck, *shape.body, "faces." + face.face,
-             fmt::format("is no set of the file, or one without a {}. Its sets are {}",
+             fmt::format("finds no set \"{}\" in its file, or one without a {}. Its sets are {}", face.face,
                          shape.body->fill == Fill::hexes ? "node" : "particle",
                          known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
     if (const auto members = sets.at(*at); *at != face.face) sets[face.face] = members;

@@ -57,7 +57,7 @@ bool MeshKeyword::has(const std::string& key) const {
 std::vector<MeshKeyword> read_mesh_text(const std::string& text) {
   std::vector<MeshKeyword> all{{}};
   bool goes_on = false;
-  std::istringstream stream(text);
+  std::istringstream stream(text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text); // a byte-order mark
   int line = 0;
   for (std::string raw; std::getline(stream, raw);) {
     ++line;

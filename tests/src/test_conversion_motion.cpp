@@ -2,6 +2,7 @@
 // one with a band of particles.
 #include "src/scene/hex_conversion.hpp"
 #include "src/simulation/simulation.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/verification/drive.hpp"
 #include <algorithm>
 #include <cmath>
@@ -235,4 +236,45 @@ TEST(ConversionInMotion, ACutTakesTheForceOfOneThroughABandOfParticles) {
   EXPECT_NEAR(converts.force / band.force, 1, 0.03);
   EXPECT_LT(converts.residual, 0.01);
   EXPECT_LT(converts.particle_steps, 0.6 * band.particle_steps);
+}
+
+// The particles' step is shorter than that of the hexes which they come from: before anything has asked for
+// their mode they must not run at the other. Also where the run is stopped at that moment and goes on.
+TEST(ConversionInMotion, TheFirstParticlesOfASceneBeginAtTheirOwnStep) {
+  const TemporaryFolder folder;
+  const std::string deck = write_deck(folder, R"([material.steel]
+law = "elastic"
+density = "7800 kg/m3"
+youngs_modulus = "200 GPa"
+poissons_ratio = 0.3
+[[body]]
+name = "work"
+shape = "block"
+fill = "hexes"
+material = "steel"
+size = ["100 um", "60 um", "60 um"]
+spacing = "20 um"
+convert_distance = "25 um"
+convert_particles = 3
+[body.faces]
+x_min = { velocity = ["20 m/s", "0 m/s", "0 m/s"] }
+[tool]
+kind = "wall"
+normal = [-1.0, 0.0, 0.0]
+size = "200 um"
+position = ["130 um", "30 um", "30 um"]
+velocity = ["-50 m/s", "0 m/s", "0 m/s"]
+[contact]
+friction = 0.0
+[run]
+end_time = "0.3 us"
+)");
+  const Ended whole = run_program(run_arguments(deck, folder / "whole"));
+  EXPECT_EQ(whole.status, 0) << whole.output;
+  std::vector<std::string> part = run_arguments(deck, folder / "part");
+  part.insert(part.end(), {"--stop-after", "125"});
+  EXPECT_EQ(run_program(part).status, 0);
+  const Ended rest = run_program(run_arguments(deck, folder / "part", true));
+  EXPECT_EQ(rest.status, 0) << rest.output;
+  EXPECT_EQ(read_bytes(folder / "part/history.csv"), read_bytes(folder / "whole/history.csv"));
 }

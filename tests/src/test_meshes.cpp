@@ -93,6 +93,8 @@ TEST(Meshes, OrdersAreMendedOrRefused) {
   EXPECT_THAT(fault_of(one_hex + "1, 1,2,4,3, 5,6,8,7\n"),
               AllOf(HasSubstr("test.toml:7: body.file: \"m\""), HasSubstr("m.inp:11: element 1 is turned"),
                     HasSubstr("mend it in the program")));
+  for (const std::string top : {"6,7,8,5", "7,8,5,6"}) // by a quarter, by a half
+    EXPECT_THAT(fault_of(one_hex + "1, 1,2,3,4, " + top + "\n"), HasSubstr(":11: element 1 is twisted"));
   EXPECT_THAT(fault_of(one_hex + "1, 1,2,3,3, 5,6,7,7\n"),
               HasSubstr("inside out or flat at 4 of its corners"));
 }
@@ -107,10 +109,16 @@ TEST(Meshes, FaultsAreRefused) {
   EXPECT_THAT(fault_of("*NODE\n1, 0, x, 0\n"), HasSubstr(":2: expected a number in column 3, got \"x\""));
   EXPECT_THAT(fault_of("*NODE\n1, 0, 0, 0\n1, 0, 0, 1\n"), HasSubstr(":3: node 1 is there already"));
   EXPECT_THAT(fault_of("*PART\n*PART\n"), HasSubstr(":2: begins a second part"));
+  EXPECT_THAT(fault_of(good + "2, 2,3,4,1, 6,7,8,5\n"),
+              HasSubstr(":12: element 2 has the nodes of element 1"));
+  EXPECT_THAT(fault_of("*NODE, SYSTEM=C\n"), HasSubstr(":1: *NODE has a system of its own"));
+  EXPECT_THAT(fault_of("*NODE, INPUT=nodes.txt\n"), HasSubstr(":1: *NODE has a system of its own, a file"));
+  EXPECT_EQ(fault_of("\xef\xbb\xbf" + good), "");
+  EXPECT_EQ(fault_of(good + "*NSET, NSET=Left\n1, 4\n*NSET, NSET=LEFT\n5, 8\n", "hexes", "left"), "");
   EXPECT_THAT(fault_of("*NGEN\n1,2\n"), HasSubstr(":1: *NGEN makes or moves nodes"));
-  EXPECT_THAT(
-      fault_of(good + "*NSET, NSET=left\n1, 4\n", "hexes", "rihgt"),
-      AllOf(HasSubstr("body.faces.rihgt: \"m\" is no set of the file"), HasSubstr("Its sets are left")));
+  EXPECT_THAT(fault_of(good + "*NSET, NSET=left\n1, 4\n", "hexes", "rihgt"),
+              AllOf(HasSubstr("body.faces.rihgt: \"m\" finds no set \"rihgt\" in its file"),
+                    HasSubstr("Its sets are left")));
 }
 
 TEST(Meshes, ParticlesAreThoseOfTheFile) {
