@@ -89,7 +89,6 @@ void Simulation::visit_state(Self& s, const Visit& visit) {
   visit("next_check", s.next_check), visit("rebuild_count", s.rebuild_count), visit("lists_due", s.lists_due);
   visit("steps_at_sample", s.steps_at_sample), visit("reference_step", s.contact_law.reference_step);
   visit("particle_step", s.particle_step), visit("wave_step", s.wave_step);
-  visit("calm_step", s.calm_step);
   visit("mode_interval", s.mode_interval), visit("next_mode", s.next_mode);
   visit("pressure_time", s.pressure_pace.waited);
   visit("heat_step", s.heat_step), visit("heat_time", s.heat_pace.waited);
@@ -219,7 +218,6 @@ void Simulation::check_numbers(const CheckpointReader& in) const {
   in.require(steps_at_sample >= 0 && steps_at_sample <= steps, "steps_at_sample");
   in.require(particle_step >= 0, "particle_step"),
       in.require(wave_step >= 0, "wave_step"); // infinity: no limit
-  in.require(calm_step >= 0, "calm_step");
   in.require(mode_interval >= 1 && mode_interval <= most_steps_between_modes, "mode_interval");
   in.require(next_mode >= 0 && next_mode <= steps + mode_interval, "next_mode");
   in.require(is_time(pressure_pace.waited), "pressure_time");

@@ -50,11 +50,9 @@ void Simulation::step() {
   move();
   timer.mark("integrate");
   if (shift_is_due()) shift();
-  if (conversion.due || freezing.due) take_contact_heat(), take_surface_sums();
-  const int moving = model.particles.count;
+  if (conversion.due || freezing.due) take_contact_heat(), take_surface_sums(), next_mode = steps;
   if (conversion.due) convert();
   if (freezing.due) freeze();
-  if (model.particles.count > moving) next_mode = steps; // which may be of those that have come
   if (lists_due) rebuild_lists();
   if (meeting_due) follow_bodies();
   follow_highest_mode();
@@ -66,8 +64,8 @@ void Simulation::step() {
   if (conducts) conduct();
   kick_half();
   if (deck.sleep.distance) fade_waves();
-  if (!particle_method.initial_frame && model.particles.count > 0) // whenever the next check may be
-    step_size = std::min(calm_step, deck.run.courant * wave_step);
+  if (wave_step > 0 && !particle_method.initial_frame && model.particles.count > 0) // it may have fallen
+    step_size = std::min(step_size, deck.run.courant * wave_step);
   timer.mark("integrate");
   ++steps, moved_particles += model.particles.count;
 }

@@ -133,7 +133,6 @@ class Simulation {
 
   double particle_step = 0;                     // s: stable step of the particles
   double wave_step = 0;                         // s: 2 over the highest frequency of the particles' waves
-  double calm_step = 0;                         // s: what the step may be without those waves
   int mode_interval = most_steps_between_modes; // steps until the next look at their mode
   long next_mode = 0;                           // the step of that look
   bool conducts = false;

@@ -146,14 +146,9 @@ void Simulation::freeze_at_start() {
 }
 
 StableStep Simulation::limit_step() {
-  const Real none = std::numeric_limits<Real>::infinity(), waves = Real(wave_step);
-  const bool follows = particle_method.initial_frame; // the waves' step differs from particle to particle
-  StableStep particle_limit =
-      stable_step(model.particles, lists, model.materials, {particle_method, follows ? waves : none});
+  const StableStep particle_limit =
+      stable_step(model.particles, lists, model.materials, {particle_method, Real(wave_step)});
   StableStep hex_limit = stable_step(model.hexes, model.materials, hex_method);
-  calm_step = double(std::min(particle_limit.dt, hex_limit.dt));
-  if (model.particles.count > 0 && !follows && waves <= particle_limit.dt)
-    particle_limit.dt = waves, particle_limit.limiter = 0;
   particle_step = double(particle_limit.dt);
   const bool hexes_limit =
       hex_limit.limiter >= 0 && (particle_limit.limiter < 0 || hex_limit.dt < particle_limit.dt);
@@ -191,8 +186,6 @@ void Simulation::check() {
   const double whole = 0.5 * double(lists.skin);
   // A free flight may be faster than the waves: no step may use up the skin.
   if (lists_age && speed > 0) step_size = std::min(step_size, 0.9 * whole / speed);
-  // It may grow with the waves' until the next look, for which twice the speed is allowed for below.
-  calm_step = std::min(deck.run.courant * calm_step, 1.1 * step_size);
   long interval = std::min<long>(deck.output.history_steps, most_unseen_steps);
   // Twice the present speed, or the tool's, is allowed for until the next look, and what gravity adds.
   const double fall = double(norm(gravity)) * step_size * double(interval);
