@@ -51,8 +51,8 @@ Outcome run(const TemporaryFolder& folder, const std::string& name, const std::s
 } // namespace
 
 // It leaves when it has flown 14 um: the order of sums changes, and the step, which follows the highest mode
-// of all particles, by what the noise in that mode is (4e-5). Without shifting, which makes more of
-// round-off.
+// of all particles, by what the noise in that mode is (4e-5); the residual, 1.3e-3 of the work, by 1.5e-6.
+// Without shifting, which makes more of round-off.
 TEST(Retire, leaves_the_rest_as_it_was_and_takes_its_own_along) {
   const TemporaryFolder folder;
   const std::string method = "shifting = false\n";
@@ -61,7 +61,7 @@ TEST(Retire, leaves_the_rest_as_it_was_and_takes_its_own_along) {
   for (const char* column : {"external_work", "plastic_work", "max_temperature", "kinetic_energy"})
     EXPECT_NEAR(without.history.at(column).back() / with.history.at(column).back(), 1, 2e-4) << column;
   EXPECT_NEAR(without.history.at("energy_residual").back() / with.history.at("external_work").back(),
-              with.history.at("energy_residual").back() / with.history.at("external_work").back(), 1e-6);
+              with.history.at("energy_residual").back() / with.history.at("external_work").back(), 5e-6);
   const double mass = pieces * 4430 * std::pow(2.5e-6, 3), inertia = 1e5 * mass;
   EXPECT_NEAR(without.number("mass") / mass, 1, 1e-9);
   EXPECT_NEAR(without.number("momentum_x") / (-inertia * v), 1, 1e-6);
