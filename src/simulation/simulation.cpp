@@ -50,9 +50,11 @@ void Simulation::step() {
   move();
   timer.mark("integrate");
   if (shift_is_due()) shift();
-  if (conversion.due || freezing.due) take_contact_heat(), take_surface_sums(), next_mode = steps;
+  if (conversion.due || freezing.due) take_contact_heat(), take_surface_sums();
+  const int moving = model.particles.count;
   if (conversion.due) convert();
   if (freezing.due) freeze();
+  if (model.particles.count > moving) next_mode = steps; // which may be of those that have come
   if (lists_due) rebuild_lists();
   if (meeting_due) follow_bodies();
   follow_highest_mode();
